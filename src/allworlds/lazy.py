@@ -1,4 +1,4 @@
-"""Packages whose names are only loaded when they are first used."""
+"""Packages that load each of their names only when the name is first used."""
 
 from __future__ import annotations
 
@@ -10,12 +10,13 @@ from typing import Any
 
 
 def open_door(package: str) -> None:
-    """Give a package the functions that load its names: ``__getattr__``, ``__dir__``, ``__all__``.
+    """Give a package ``__getattr__``, by which its names are loaded, ``__dir__`` and ``__all__``.
 
-    The names are those that the ``__init__`` of the package imports under ``if TYPE_CHECKING``.
-    So the ``__init__`` has each name once, and editors and type checkers find it.  If there are two
-    such blocks, the names in the second block are for other parts of the program: they are loaded
-    like the others, but ``__dir__`` and ``__all__`` do not list them.
+    The names are those that the ``__init__`` of the package imports in a block under
+    ``if TYPE_CHECKING``.  So the ``__init__`` has each name once, and editors and type checkers
+    find the name.  If there are two such blocks, the names in the second block are for other
+    packages of this program: these names are loaded, too, but ``__dir__`` and ``__all__`` do not
+    list them.
 
     Args:
         package: the name of the package, which is being imported.
@@ -45,9 +46,10 @@ def open_door(package: str) -> None:
 
 
 def _homes(package: str) -> list[dict[str, tuple[str, str]]]:
-    """For each block under ``if TYPE_CHECKING`` its names, each with the place of its object.
+    """For each block under ``if TYPE_CHECKING`` the names that the block imports.
 
-    The place is the module, and the object's name in this module.
+    The blocks are those in the ``__init__`` of ``package``.  The value for a name is a pair: the
+    module from which the name is imported, and the name of the object in this module.
     """
     source = inspect.getsource(sys.modules[package])
     return [

@@ -1,19 +1,23 @@
 """The log of a run: the bytes that a player makes.  Only this module writes and reads logs.
 
 The module imports nothing, so that a player starts fast.  A log is a sequence of entries.  Each
-entry begins with a byte, which tells its kind; most kinds have a name:
+entry begins with a byte, which tells the kind of the entry; most kinds have a name:
 
     0..199              a motion by this number of darts
     200 SHOWN           a checkpoint: the number of darts, here, sigma, alpha
     201 ANSWERED        the answer, in the same form as a checkpoint
     202 OVER_BUDGET     one traversal more than the budget
     203 SHOWN_TOO_OFTEN one checkpoint more than is legal
-    204 FAULT           the law's number, whether the machine may be the cause, and three texts
-    205 BEYOND          a motion after the end of the recorded percepts
-    206 FAR             a motion by 200 darts or more
+    204 FAULT           the explorer breaks a law: the number of the law in LAWS; whether the
+                        machine may be the cause of the fault (1) or not (0); and three texts: the
+                        expected, the observed, and more, such as a traceback
+    205 BEYOND          an action that the player cannot follow: in the second play of a run the
+                        player has only the percepts of the first play, and none is left
+    206 FAR             a motion by 200 darts or more; the number of darts follows
     207 DROP, 208 PICK  a marker is dropped, or picked up
     209 WRITE           a number is written; the number follows
-    210 CHOICE          the index, and the number of options (0: unknown)
+    210 CHOICE          a choice: the index of the option that was taken, and the number of options
+                        (0: unknown)
     211 LONG_CHOICE     like 210, with numbers of any length
     212 LONG_SHOWN      like 200, with numbers of any length
     213 LONG_ANSWER     like 201, with numbers of any length
@@ -24,7 +28,7 @@ entry begins with a byte, which tells its kind; most kinds have a name:
     218 REFUSED         the last action is illegal; a walk of the log in the world shows why
 
 Compiled parts of the program know the bytes up to 205, and 210.  They need not read the values
-after the byte 204.
+after the byte 204.  A compiled player also writes 205 in place of an entry that it cannot write.
 """
 
 from __future__ import annotations
@@ -40,10 +44,10 @@ FAR, DROP, PICK, WRITE, CHOICE, LONG_CHOICE, LONG_SHOWN, LONG_ANSWER = range(206
 QUOTIENT, VALUE, OVER, FREE_TOO_OFTEN, REFUSED = range(214, 219)
 
 ENDS = frozenset({OVER_BUDGET, SHOWN_TOO_OFTEN, BEYOND, OVER, FREE_TOO_OFTEN, REFUSED})
-"""The bytes that end a log without further values."""
+"""The bytes that end a log, and after which no value stands."""
 
 LAWS = ("crash", "timeout", "illegal-action", "no-estimate")
-"""The laws whose breach a player itself notices."""
+"""The laws whose breach a player itself notices; a law's number is its index here."""
 
 MOST_DARTS = 64
 """The largest number of darts in an entry in which each number is one byte."""
@@ -80,14 +84,18 @@ def shown(sigma: Sequence[int], alpha: Sequence[int], here: int) -> bytes:
 
 
 def answer(sigma: Sequence[int], alpha: Sequence[int], here: int) -> bytes:
-    """The entry of an answer."""
+    """The entry of an answer that is an estimate: a map, and its dart ``here``."""
     return _short(ANSWERED, sigma, alpha, here) or (
         bytes((LONG_ANSWER,)) + _numbers(sigma) + _numbers(alpha) + _number(here)
     )
 
 
 def quotient(lists: Sequence[Sequence[int]], here: int) -> bytes:
-    """The entry of an answer that is a rooted quotient: sigma, alpha, degrees and marks."""
+    """The entry of an answer that is a rooted quotient.
+
+    ``lists`` holds the quotient's sigma, alpha, degrees and marks; ``here`` is the class of the
+    robot's dart.
+    """
     return bytes((QUOTIENT,)) + b"".join(map(_numbers, lists)) + _number(here)
 
 
@@ -97,20 +105,25 @@ def value(text: str) -> bytes:
 
 
 def fault(law: str, expected: str, seen: str, detail: str = "", *, machine: bool = False) -> bytes:
-    """The entry of a fault: the law, the expected and the seen message, and more text.
+    """The entry of a fault, by which a run breaks a law.
 
-    ``detail`` is a text such as a traceback; ``machine`` tells whether the computer may be the
-    cause.
+    Args:
+        law: the name of the law.
+        expected: what the law demands, in words.
+        seen: what was observed instead, in words.
+        detail: a further text, such as a traceback.
+        machine: whether the machine may be the cause of the fault, not the explorer.
     """
     words = b"".join(map(_text, (expected, seen, detail)))
     return bytes((FAULT, LAWS.index(law), machine)) + words
 
 
 def _short(code: int, sigma: Sequence[int], alpha: Sequence[int], here: int) -> bytes:
-    """An entry of the kind ``code`` in which each number is one byte.
+    """The entry of a checkpoint or an answer in which each number is one byte.
 
-    The result is empty if such an entry is impossible: if a number is no byte, if sigma and alpha
-    have different lengths, or if there is no dart, or more than :data:`MOST_DARTS` darts.
+    ``code`` is the first byte: SHOWN or ANSWERED.  The result is empty if such an entry is
+    impossible: if a number does not fit into a byte, if sigma and alpha have different lengths, or
+    if there is no dart, or more than :data:`MOST_DARTS` darts.
     """
     darts = len(sigma)
     if not (darts == len(alpha) and 1 <= darts <= MOST_DARTS):
@@ -144,16 +157,19 @@ class Log:
     Attributes:
         actions: for each action its number: k for a motion ``Move(k)``; for another action
             ``DROPPED``, ``PICKED`` or, for ``Write(k)``, ``WROTE - k``.
-        checkpoints: for each checkpoint the number of actions before it, sigma, alpha, here.
+        checkpoints: for each checkpoint four values: the number of actions before the checkpoint,
+            sigma, alpha, here.
         choices: for each choice the index of the option.
         widths: for each choice the number of options (0: unknown).
-        ending: the byte of the last entry, which ends the log, and the values after this byte.
+        ending: the first byte of the last entry, and the values of this entry.  For FAULT the
+            values are the name of the law, the three texts, and whether the machine may be the
+            cause.
     """
 
     __slots__ = ("actions", "checkpoints", "choices", "ending", "widths")
 
     def __init__(self, log: bytes) -> None:
-        """Read a log.
+        """Read the log whose bytes are ``log``.
 
         Raises:
             ValueError: if the bytes are no log, or if no entry ends the log.
@@ -261,7 +277,7 @@ _LISTS = {LONG_SHOWN: 2, LONG_ANSWER: 2, QUOTIENT: 4}
 
 
 def _number_at(log: bytes, at: int) -> tuple[int, int]:
-    """The index after the number that begins at index ``at``, and the number."""
+    """The index after the number that begins at index ``at`` of ``log``; and this number."""
     size = _size_at(log, at)
     return at + 4 + size, int.from_bytes(log[at + 4 : at + 4 + size], "little", signed=True)
 
@@ -281,9 +297,10 @@ def _text_at(log: bytes, at: int) -> tuple[int, str]:
 
 
 def _size_at(log: bytes, at: int) -> int:
-    """The number of bytes of a number or a text, which stands in 4 bytes from index ``at`` on.
+    """The length in bytes of the number or text at index ``at`` of ``log``.
 
-    Raise IndexError if fewer bytes follow.
+    The length stands in the 4 bytes from ``at`` on; the number or text follows.  Raise IndexError
+    if fewer bytes follow than the length says.
     """
     size = int.from_bytes(log[at : at + 4], "little")
     if len(log) < at + 4 + size:

@@ -32,12 +32,13 @@ class Outcome(Struct, frozen=True):
 
     Attributes:
         episode: the walk of the run, its checkpoints and its ending.
-        violation: the first broken law, or None.
+        violation: the violation of the first law that the run breaks; None if it breaks none.
         detail: more about a fault: a traceback, or a program's stderr; may be empty.
         choices: for each choice of the explorer the index of the option that was taken.
-        bound: the largest legal number of traversals; None if there is no bound.
-        hash_seed: the players' ``PYTHONHASHSEED``, if the outcome depends on it; else None.
-        output: the explorer's prints, if they were recorded.
+        bound: the largest number of traversals that the law ``bound`` allows in the run's world;
+            None if there is no bound.
+        hash_seed: the players' ``PYTHONHASHSEED`` if the outcome depends on this number; else None.
+        output: the text that the explorer has printed, if prints were recorded; else empty.
         after: the worlds of earlier runs in the same process, if the outcome depends on those runs.
     """
 
@@ -57,7 +58,7 @@ class Outcome(Struct, frozen=True):
 
 
 class Referee:
-    """A referee judges runs by one set of rules; it knows the explorer only by its name."""
+    """A referee judges runs by the rules ``rules``; of the explorer, it has only the name."""
 
     def __init__(self, explorer: str, rules: Rules) -> None:
         self.explorer = explorer
@@ -65,7 +66,7 @@ class Referee:
         self._checks = [LAWS[law].check for law in rules.applying]
 
     def outcome(self, world: World, episode: Episode, choices: tuple[int, ...]) -> Outcome:
-        """Judge the episode of a run in ``world``.
+        """Judge the episode of a run in ``world``; return the outcome of the run.
 
         ``choices`` holds for each choice of the explorer the index of the option that was taken.
         """
@@ -76,7 +77,11 @@ class Referee:
         return Outcome(episode, violation, detail, choices, bound)
 
     def verdict(self, episode: Episode, bound: int | None) -> Violation | None:
-        """The violation of the first law that a finished episode breaks; None if it breaks none."""
+        """The violation of the first law that a finished episode breaks; None if it breaks none.
+
+        ``bound`` is the largest number of traversals that the law ``bound`` allows; None if there
+        is no bound.
+        """
         walk, ending = episode.walk, episode.ending
         if isinstance(ending, Fault):
             expected = ending.expected
@@ -102,10 +107,10 @@ class Referee:
         return first_broken(Case(walk, episode.checkpoints, estimate, bound), self._checks)
 
     def finding(self, world: World, place: int, outcome: Outcome) -> Finding:
-        """The finding about an outcome that breaks a law.
+        """The finding about a run that breaks a law; ``outcome`` is the run's outcome.
 
-        The darts of the finding's world are numbered canonically.  ``place`` is the number of the
-        lighthouse's place in the world.
+        ``world`` is the world of the run, and ``place`` the number of the lighthouse's place in the
+        map.  In the finding, the darts of the world are numbered canonically.
         """
         assert outcome.violation is not None
         violation, ending = outcome.violation, outcome.episode.ending
@@ -145,15 +150,16 @@ class Referee:
 
 
 DARTS = range(1 << 63)
-"""The numbers that can be darts in a document; in a checkpoint there may also be other numbers."""
+"""The numbers that a document can hold as darts; a checkpoint may also hold other numbers."""
 
 
 def _believed(episode: Episode, step: int | None) -> tuple[Believed | None, str]:
     """The first checkpoint that breaks the law invariant-1 or invariant-2, and its fault in words.
 
-    If ``step`` is given, only the checkpoints after exactly this number of steps are examined, else
-    all.  If no examined checkpoint breaks these laws, the last one is returned with an empty fault.
-    If there is no checkpoint to examine, None is returned with an empty fault.
+    Only the checkpoints after exactly ``step`` steps are examined; if ``step`` is None, all
+    checkpoints are.  If no examined checkpoint breaks these laws, the result is the last examined
+    checkpoint, with an empty text.  If there is no checkpoint to examine, the result is None, with
+    an empty text.
     """
     at = [i for i, (steps, _) in enumerate(episode.checkpoints) if step in (None, steps)]
     given = tuple([episode.checkpoints[i] for i in at])
@@ -185,10 +191,11 @@ class Examiner(Referee):
 
 
 def name_run(rules: Rules, world: World) -> str:
-    """The name of a run, which seeds the choices of a random policy; empty under other policies.
+    """The name of the run in ``world``; empty if the policy of ``rules`` is not random.
 
-    The name depends on the world and its lighthouse's place, but not on the order in which runs are
-    played.
+    Under a policy ``random:SEED`` the choices of a run follow from SEED and the name of the run.
+    The name depends on the world and the place of its lighthouse, but not on the order in which
+    runs are played.
     """
     if not rules.policy.startswith("random"):
         return ""

@@ -58,7 +58,7 @@ SIZE = {"n", "m"}
 
 
 def law_names(text: str) -> tuple[str, ...]:
-    """The names of laws in a text that separates them by commas."""
+    """The names of laws in ``text``, where commas separate the names."""
     return tuple(part.strip() for part in text.split(","))
 
 
@@ -75,9 +75,9 @@ def _bound(given: object) -> Bound | None:
 
 
 def _laws(given: object) -> tuple[str, ...] | None:
-    """The given names of laws, after a check that each is known and none stands twice.
+    """The names of laws in ``given``, after a check that each is known, and none is named twice.
 
-    The result is None if no laws are given.
+    The result is None if ``given`` is None.
     """
     if given is None:
         return None
@@ -106,7 +106,8 @@ def _step_budget(given: object) -> int | None:
 class RuleOptions(Request):
     """The part of a request that says how runs are played and judged.
 
-    The default of a field may depend on the fields before it.
+    The default of an option may depend on the options that stand before it: for example, the
+    default of ``step_budget`` depends on ``bound``.
     """
 
     task: Annotated[
@@ -183,10 +184,11 @@ class RuleOptions(Request):
         promised: bool = False,
         among: "Among | None" = None,
     ) -> "Rules":
-        """The rules for the explorer ``subject`` under a lighthouse.
+        """The rules for the explorer ``subject`` under the lighthouse ``lighthouse``.
 
-        The rules hold the explorer's own bound; and, if the request has no step budget, the
-        explorer's own step budget.  ``promised`` and ``among`` are fields of :class:`Rules`.
+        The rules hold the bound that the explorer itself names; and, if the request has no step
+        budget, the step budget that the explorer itself names.  ``promised`` and ``among`` become
+        the fields of :class:`Rules` with these names.
 
         Raises:
             InputError: naming the offending option and what would be legal.
@@ -207,11 +209,14 @@ class RuleOptions(Request):
 
 
 class Among(NamedTuple):
-    """A condition on maps: a check runs in the maps that meet it, and shrinks findings among them.
+    """A condition on the maps of worlds, as a finding records the condition.
+
+    A check plays runs only in maps that meet the condition, and shrinks findings only to such maps.
 
     Attributes:
         name: the condition as a text that the option ``--where`` takes.
-        digest: the SHA-256 of the file of the predicate, if the predicate is the user's; else None.
+        digest: the SHA-256 of the user's file with the condition; for several files the digests,
+            joined by ``AND`` of the module ``classes``; None for a condition of this program.
     """
 
     name: str
@@ -234,11 +239,13 @@ class Rules(RuleOptions, kw_only=False):
 
     Attributes:
         lighthouse: the kind of lighthouse.
-        promised: whether the worlds have a promised property, such as planarity, by which an
-            explorer can be right although its log does not fold to the map.
-        own_bound: the explorer's own bound for this lighthouse; None if it has none.
-        among: the condition on the maps, which findings record; runs do not depend on it.  None if
-            there is no condition.
+        promised: whether the class of the worlds promises a property of every world, namely
+            planarity.  By such a property an explorer can be right although its log does not
+            determine the map, so the law ``folding`` is not checked.
+        own_bound: the bound that the explorer itself names for this lighthouse; None if the
+            explorer names none.
+        among: the condition on the maps; None if there is none.  Findings record the condition;
+            runs do not depend on it.
         shared_file: the name of a file that holds both the explorer and code that judges, for a
             remark in reports; empty if there is none.
     """
@@ -280,15 +287,15 @@ class Rules(RuleOptions, kw_only=False):
 
     @cached_property
     def the_bound(self) -> Bound:
-        """The bound on traversals; :data:`NO_BOUND` if the law ``bound`` is not checked."""
+        """The bound that the law ``bound`` checks; :data:`NO_BOUND` if this law is not checked."""
         return self._named_bound if "bound" in self.applying else NO_BOUND
 
     @property
     def default_bound(self) -> Bound:
-        """The bound if the user names none.
+        """The bound on traversals that is checked if the user names none.
 
-        For the task ``map`` this is the explorer's own bound, or else the lighthouse's default
-        bound.  For any other task it is :data:`NO_BOUND`.
+        For the task ``map`` the default is the explorer's own bound, or else the lighthouse's
+        default bound.  For any other task the default is :data:`NO_BOUND`.
         """
         if not self.task.is_map:
             return NO_BOUND
@@ -302,9 +309,10 @@ class Rules(RuleOptions, kw_only=False):
     def _met(self) -> set[str]:
         """The conditions of laws that these rules meet: some of ``maps``, ``folds``, ``bounded``.
 
-        ``maps``: the task is ``map``.  ``folds``: moreover the log of a correct explorer determines
-        the map under this lighthouse, and the worlds have no promised property.  ``bounded``: there
-        is a bound on the traversals.
+        A law is checked by default if the rules meet its condition.  ``maps``: the task is ``map``.
+        ``folds``: the task is ``map``; under this lighthouse the log of a correct explorer
+        determines the map; and :attr:`promised` is false.  ``bounded``: there is a bound on the
+        traversals.
         """
         met = {MAPS} if self.task.is_map else set[str]()
         met |= {FOLDS} if met and self.kind.folds and not self.promised else set()
@@ -331,15 +339,18 @@ class Rules(RuleOptions, kw_only=False):
         return self.applying if self.task.is_map else (TASK, *self.applying)
 
     def budget(self, map_: combinatorial.CombinatorialMap) -> int:
-        """The largest legal number of traversals of a run in a world with this map."""
+        """The step budget of a run in a world with the map ``map_``.
+
+        A run with more traversals is cut off, and breaks the law ``budget``.
+        """
         return self.budget_by_size(map_.vertex_count, map_.edge_count)
 
     def budget_by_size(self, vertices: int, edges: int) -> int:
-        """The largest legal number of traversals in a world of this size.
+        """The step budget of a run in a world of this size; see :meth:`budget`.
 
-        This is the field ``step_budget``.  If the field is None, the result is the default step
-        budget, or the explorer's own bound if this is larger; but the result is never larger than
-        that of :meth:`budget_of_bound`.  A bound that depends on more than the size is ignored.
+        The result is the field ``step_budget``, unless this field is None.  If the field is None,
+        the result is the default step budget, or the explorer's own bound if that is larger and
+        depends only on the size; but never more than :meth:`budget_of_bound`, if this has a value.
         """
         if self.step_budget is not None:
             return self.step_budget
@@ -351,11 +362,11 @@ class Rules(RuleOptions, kw_only=False):
         return usual if far is None else min(usual, far)
 
     def budget_of_bound(self, vertices: int, edges: int) -> int | None:
-        """A hundred times the checked bound, plus 100, in a world of this size.
+        """A hundred times :attr:`the_bound`, plus 100, in a world of this size.
 
         Return None if there is no bound, or if the bound depends on more than the size, or has no
         value for this size.  A run with more traversals than the result breaks the law ``bound`` in
-        any case, so it is stopped.
+        any case, so by default such a run is cut off.
         """
         if not self.the_bound.variables <= SIZE:
             return None
@@ -366,18 +377,20 @@ class Rules(RuleOptions, kw_only=False):
         return None if bound is None else far_beyond(bound)
 
     def choices(self, name: str, script: Sequence[int] = ()) -> Choices:
-        """A new maker of choices for the run called ``name``, which seeds a random policy.
+        """Return a new :class:`Choices`, which makes the choices of one run by the policy.
 
-        ``script`` holds the indices of the options to take at the first choices.
+        ``name`` is the name of the run (see ``name_run``): under a policy ``random:SEED`` the
+        choices follow from SEED and this name.  ``script`` holds for each of the first choices the
+        index of the option to take; the policy makes all other choices.
         """
         return Choices(policy_named(self.policy, name), script)
 
     def arguments(self, script: Sequence[int] = ()) -> list[str]:
         """The options of the command ``run`` for these rules, as words of the command line.
 
-        ``script`` holds the indices of the options to take at the first choices of the explorer.
-        The command ``run`` has no option for a promised property of the worlds.  So if there is
-        such a property, the options name the laws that are checked.
+        Options with default values are left out.  ``script`` holds for each of the explorer's first
+        choices the index of the option to take.  The command ``run`` has no option for the field
+        ``promised``; so if this field is true, the words name the laws that are checked.
         """
         answered = any(script) or (script and self.policy != DEFAULT_POLICY)
         choices = ["--choices", ",".join(map(str, script))] if answered else []
@@ -392,7 +405,12 @@ class Rules(RuleOptions, kw_only=False):
 
     @property
     def in_effect(self) -> dict[str, Any]:
-        """For each option that takes effect its value, under the option's key in documents."""
+        """The value of each option, and of the lighthouse, by the keys in documents.
+
+        For ``bound`` and ``laws`` these are the values in effect: the bound that is checked, or
+        ``none``; and the names of all laws that are checked, the law ``task`` included.  The value
+        of ``task`` is None for the task ``map``.
+        """
         effective = {
             "task": None if self.task.is_map else self.task,
             "bound": self.the_bound,
@@ -403,7 +421,7 @@ class Rules(RuleOptions, kw_only=False):
 
     @cached_property
     def recorded(self) -> "RecordedRules":
-        """The options in the form in which a finding holds them."""
+        """These rules in the form in which a finding records them."""
         options = {key: value for key, value in self.in_effect.items() if key != "lighthouse"}
         return RecordedRules(
             **options,
@@ -414,7 +432,7 @@ class Rules(RuleOptions, kw_only=False):
 
 
 def _keyword(option: str, text: str) -> str:
-    """An option of the command line as ``NAME=VALUE`` of a call in Python."""
+    """The option ``option`` with the value ``text``, as ``NAME=VALUE`` of a call in Python."""
     name = option.removeprefix("--").replace("-", "_")
     value: Any = int(text) if name == "step_budget" else text
     if name in ("laws", "choices"):
@@ -443,10 +461,11 @@ class RecordedRules(doc.Document, forbid_unknown_fields=False):
     ] = None
 
     def rules(self, world: World, own_bound: str | None = None) -> Rules:
-        """The rules in a world; ``own_bound`` is the explorer's own bound, or None.
+        """The recorded rules, for a run in ``world``.
 
-        If the record holds a bound but not the law ``bound``, the bound was not checked, and is
-        left out.  If the record holds the law ``bound`` but no bound, the law is left out.
+        ``own_bound`` is the bound that the explorer itself names, or None.  If the record holds a
+        bound but not the law ``bound``, the bound was not checked, and is left out.  If the record
+        holds the law ``bound``, but there is no bound, the law is left out.
 
         Raises:
             InputError: naming the offending option.

@@ -1,10 +1,10 @@
 """Tasks, which define when a run has done its work.  **The** table of the tasks of this program.
 
 Each task has a *complaint*: a function that returns the fault of a finished run in words, or None.
-Its arguments are the world, the walk and the answer.  A user's task is a complaint.  If this
-function has an attribute ``over``, the task can end a run: ``over`` is a function of the world and
-the walk, which returns True when the task is done.  The task ``map`` has no complaint: the laws
-``map`` and ``pose`` find its faults.
+The arguments of a complaint are the world, the walk and the explorer's answer.  A user's own task
+is given as a complaint.  If this function has an attribute ``over``, the task can end a run:
+``over`` is a function of the world and the walk, which returns True when the task is done.  The
+task ``map`` has no complaint: the laws ``map`` and ``pose`` find the faults of its runs.
 """
 
 from collections.abc import Callable
@@ -30,7 +30,8 @@ class TaskKind(Struct, frozen=True):
 
     Attributes:
         asks: the requirement of the task, in a sentence.
-        complaint: the function that returns the fault of a run; None for the task ``map``.
+        complaint: the function that returns the fault of a run, or None for a run without a fault.
+            The task ``map`` has no complaint: here the attribute is None.
         ends: whether the run ends as soon as the complaint finds no fault.
     """
 
@@ -40,19 +41,19 @@ class TaskKind(Struct, frozen=True):
 
 
 def visits_everything(world: World, walk: Walk, _answer: object) -> str | None:
-    """The complaint that a vertex was not visited; None if all vertices were visited."""
+    """The fault that vertices were not visited, in words; None if all vertices were visited."""
     return _left(len(walk.visited), world.map.vertex_count, "vertices not visited")
 
 
 def walks_everything(world: World, walk: Walk, _answer: object) -> str | None:
-    """The complaint that an edge was not walked along; None if there is no such edge."""
+    """The fault that edges were not walked along, in words; None if there are no such edges."""
     return _left(len(walk.walked), world.map.edge_count, "edges not walked along")
 
 
 def comes_home(world: World, walk: Walk, answer: object) -> str | None:
-    """The complaint that a vertex was not visited, or that the walk does not end where it began.
+    """The fault that the walk does not end at the vertex of the start, or left out vertices.
 
-    None if the run has neither fault.
+    The fault is a text; the result is None if the run has neither fault.
     """
     if world.map.vertex_of[walk.here] != world.map.vertex_of[world.start]:
         return "the walk ended at another vertex than that where it began"
@@ -63,8 +64,8 @@ def counts(what: str, number: Callable[[World], int]) -> Complaint:
     """The complaint of a task whose answer must be a number, such as the number of vertices.
 
     Args:
-        what: the number, in words.
-        number: the function from the world to the right number.
+        what: the name of the number, for the fault in words.
+        number: the function that returns the right number for a world.
     """
 
     def complaint(world: World, _walk: Walk, answer: object) -> str | None:
@@ -155,14 +156,14 @@ class Task(Struct, frozen=True):
 
     @property
     def over(self) -> Callable[[Walk], bool] | None:
-        """The function from the walk so far to whether the run ends; None if the task ends no run.
+        """The function that tells whether the run ends; None if the task ends no run.
 
-        The function is called after each step.
+        The function is called after each step, with the walk so far.
         """
         return self.is_over if self.ends_runs else None
 
     def is_over(self, walk: Walk) -> bool:
-        """Whether the task ends the run after this walk, because the task is done.
+        """Whether the task ends the run after ``walk``, because the task is done.
 
         Raises:
             InputError: if the function ``over`` of a user's task raises, returns no boolean, or
@@ -178,7 +179,9 @@ class Task(Struct, frozen=True):
         return over
 
     def flaw(self, walk: Walk, ending: EpisodeEnding) -> str | None:
-        """The fault of a finished run; None if there is none.
+        """The fault of a finished run in words; None if there is no fault.
+
+        ``walk`` is the walk of the run; ``ending`` may hold the explorer's answer.
 
         Raises:
             InputError: if the complaint of a user's task raises, returns neither a text nor None,

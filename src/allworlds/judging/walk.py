@@ -1,7 +1,7 @@
-"""The walk of a run in its world: laws, tasks, findings, and explanations in words depend on it.
+"""The walk of a run in its world, from which laws, tasks and findings are decided and explained.
 
-Only the method :meth:`~allworlds.world.world.World.step` knows how a robot moves; it makes the
-steps of every walk.
+Only the method :meth:`~allworlds.world.world.World.step` knows how a robot moves; every step of a
+walk is made by this method.
 """
 
 from collections.abc import Iterable, Iterator
@@ -19,16 +19,18 @@ from allworlds.world.world import World
 class Walk(Struct):
     """A walk in a world, which grows during the run.
 
-    Its elements are the steps: pairs of an action and the percept after it.
+    The elements of a walk are its steps: pairs of an action and the percept after the action.
 
     Attributes:
         world: the world of the run.
         states: the states of the world at the start and after each step.
-        darts: the dart that the robot faces at the start, and its dart of arrival after each step.
+        darts: the robot's darts: the dart that the robot faces at the start, and after each step
+            the dart where the robot is, by which it has last arrived.
         visited: the vertices where the robot has been.
-        steps: the pairs of an action and the percept after it.
-        crossed: for each walked edge, named by its smaller dart, the number of steps before the
-            step that first walked it; the edges are in the order of these numbers.
+        steps: the pairs of an action and the percept after the action.
+        crossed: the edges that the robot has walked along.  The key is the smaller dart of an edge;
+            the value is the number of steps before the first step along the edge.  The edges are
+            in the order of these values.
         cost: the number of traversals.
     """
 
@@ -42,17 +44,17 @@ class Walk(Struct):
 
     @classmethod
     def begin(cls, world: World) -> Self:
-        """Return the walk without a step."""
+        """Return the walk in ``world`` that has no step yet."""
         return cls(world, [world.initial], [world.start], {world.map.vertex_of[world.start]})
 
     @classmethod
     def of(cls, world: World, actions: Iterable[Action]) -> Self:
-        """Return the walk of these actions.
+        """Return the walk in ``world`` with the actions ``actions``.
 
         Raises:
-            IllegalAction: if an action is illegal at its step.
+            IllegalAction: if an action is illegal where the robot does it.
 
-        Cost: linear in the actions.
+        Cost: linear in the number of actions.
         """
         walk = cls.begin(world)
         for action in actions:
@@ -61,7 +63,7 @@ class Walk(Struct):
 
     @classmethod
     def recorded(cls, world: World, transcript: Transcript) -> Self:
-        """Return the walk of a finding's transcript, after a check that the world allows this walk.
+        """Return the walk of a finding's transcript, after a check that ``world`` allows this walk.
 
         Raises:
             InputError: naming the first illegal action, or the first percept that differs from the
@@ -84,7 +86,8 @@ class Walk(Struct):
         """Add the step of this action to the walk; return the percept after the step.
 
         Raises:
-            IllegalAction: if the action is illegal here; the walk is then not changed.
+            IllegalAction: if the robot cannot do the action where it is; the walk is then not
+                changed.
         """
         state, percept = self.world.step(self.states[-1], action)
         map_, dart = self.world.map, state.dart
@@ -105,7 +108,7 @@ class Walk(Struct):
 
     @property
     def first(self) -> Percept:
-        """The percept before any motion."""
+        """The percept at the start, before any action."""
         return self.world.first
 
     @property
@@ -130,7 +133,7 @@ class Walk(Struct):
 
     @property
     def arrivals(self) -> set[Dart]:
-        """The darts by which the robot has arrived."""
+        """The darts by which the robot has arrived at vertices."""
         steps = zip(self.darts[1:], self.actions, strict=True)
         return {dart for dart, action in steps if type(action) is Move}
 

@@ -28,7 +28,7 @@ LARGEST = 10_000
 
 
 class NoSuchMap(InputError):
-    """Raised for a name without a map."""
+    """Raised for a text that is not the name of a map."""
 
 
 def from_rotation(
@@ -37,10 +37,10 @@ def from_rotation(
     """The map from the clockwise list of neighbours of each vertex.
 
     Args:
-        rotation: the neighbours of each vertex; a plain sequence stands for the vertices
-            ``0, 1, ...``.  A neighbour is a name, or a list ``[name, key]``; parallel edges have
-            different keys.  Each edge is in the lists of both its ends; a loop is twice in the
-            list of its vertex.
+        rotation: for each vertex the list of its neighbours; a plain sequence of lists is for the
+            vertices ``0, 1, ...``.  A neighbour is the name of a vertex, or a list ``[name, key]``;
+            parallel edges have different keys.  Each edge is in the lists of both its ends; a loop
+            is twice in the list of its vertex.
 
     Darts are numbered vertex by vertex in the given order, and within a vertex in the order of
     its list; the vertices of the map are also in this order.
@@ -92,9 +92,10 @@ def from_cycles(
 ) -> CombinatorialMap:
     """The map from the clockwise list of edge names round each vertex.
 
-    Each name occurs exactly twice: ``["aab", "b"]`` is a loop ``a`` and an edge ``b`` to a
-    second vertex.  A plain sequence stands for the vertices ``0, 1, ...``.  Darts are numbered
-    vertex by vertex, and within a vertex in the order of its list.
+    ``vertices`` holds the list of each vertex; a plain sequence of lists is for the vertices
+    ``0, 1, ...``.  Each name of an edge occurs exactly twice: ``["aab", "b"]`` is a loop ``a``, and
+    an edge ``b`` to a second vertex.  Darts are numbered vertex by vertex, and within a vertex in
+    the order of its list.
 
     Raises:
         InvalidMap: naming the edge or the vertex: an empty list, a name that does not occur
@@ -175,14 +176,15 @@ def cycle(n: int) -> CombinatorialMap:
 
 
 def lattice(rows: int, columns: int, holes: float = 0.0, seed: int = 0) -> CombinatorialMap:
-    """The grid of ``rows x columns`` vertices in the plane, with holes; vertices row by row.
+    """The grid of ``rows x columns`` vertices in the plane, in which some edges may be missing.
 
-    The clockwise order is up, right, down, left.  ``holes`` is the fraction of the ``m`` edges
-    to remove: ``round(holes * m)`` random edges are removed, and the rest stays connected.
-    The same ``seed`` removes the same edges.
+    The vertices are numbered row by row; the clockwise order is up, right, down, left.  ``holes``
+    is the fraction of the ``m`` edges to remove: ``round(holes * m)`` random edges are removed, and
+    the rest stays connected.  ``seed`` determines the removed edges.
 
     Raises:
-        ValueError: if there is no edge, ``holes`` is not in 0..1, or the removal would disconnect.
+        ValueError: if there is no edge; if ``holes`` is not in 0..1; or if so many edges cannot be
+            removed from a map that stays connected.
 
     Cost: O(m log m).  Source: Section VII of the paper (Fig. 3: holes = 0.1).
     """
@@ -199,12 +201,14 @@ def lattice(rows: int, columns: int, holes: float = 0.0, seed: int = 0) -> Combi
 
 
 def dense(vertices: int, holes: float = 0.0, seed: int = 0) -> CombinatorialMap:
-    """The complete graph, with holes; every vertex has its neighbours clockwise in ascending order.
+    """The complete graph, in which some edges may be missing.
 
-    ``holes`` and ``seed`` mean the same as in :func:`lattice`.  The genus follows from this order.
+    Every vertex has its neighbours clockwise in ascending order; the genus follows from this order.
+    ``holes`` and ``seed`` mean the same as in :func:`lattice`.
 
     Raises:
-        ValueError: if ``vertices < 2``, ``holes`` is not in 0..1, or the removal would disconnect.
+        ValueError: if ``vertices < 2``; if ``holes`` is not in 0..1; or if so many edges cannot be
+            removed from a map that stays connected.
 
     Cost: O(m log m).  Source: Section VII of the paper (Fig. 3: holes = 0.1).
     """
@@ -214,15 +218,17 @@ def dense(vertices: int, holes: float = 0.0, seed: int = 0) -> CombinatorialMap:
 
 
 def _with_holes(rotation: dict[int, list[int]], holes: float, seed: int) -> dict[int, list[int]]:
-    """The rotation without ``round(holes * m)`` random edges; the rest of the graph is connected.
+    """The rotation ``rotation`` without ``round(holes * m)`` of its m edges; the rest is connected.
 
-    The function shuffles the edges, computes the minimum spanning tree for weights that fall in
-    this order, and removes the first ``round(holes * m)`` edges that are not in the tree.  The
-    result is as if the edges were tried in this order, and each edge was removed if the rest stayed
-    connected.
+    ``seed`` determines the removed edges.  The function shuffles the edges, and gives each edge a
+    smaller weight than the edge before.  Then it removes the first ``round(holes * m)`` of the
+    shuffled edges that are not in the minimum spanning tree for these weights.  The result is as if
+    the shuffled edges were tried one after another, and an edge was removed whenever the rest
+    stayed connected.
 
     Raises:
-        ValueError: if ``holes`` is not in 0..1, or if fewer edges are outside the tree.
+        ValueError: if ``holes`` is not in 0..1, or if fewer than ``round(holes * m)`` edges are
+            outside the tree.
     """
     if not 0 <= holes <= 1:
         raise ValueError(f"holes = {holes} is not a fraction in 0..1")
@@ -292,7 +298,7 @@ def _wheel(n: int) -> CombinatorialMap:
 
 
 def _of_digits(rotation: str) -> CombinatorialMap:
-    """The map of a rotation such as ``12 20 01``: for each vertex the digits of its neighbours."""
+    """The map of a rotation such as ``12 20 01``: for each vertex its neighbours as digits."""
     return from_rotation([[*map(int, vertex)] for vertex in rotation.split()])
 
 
@@ -328,18 +334,20 @@ _NUMBERED: dict[str, tuple[int, Callable[[int], CombinatorialMap]]] = {
 
 
 def deleted(map_: CombinatorialMap, dart: Dart) -> CombinatorialMap | None:
-    """The map without the edge of ``dart``; None if the rest is disconnected or empty.
+    """The map ``map_`` without the edge of ``dart``; None if the rest is not connected, or empty.
 
-    A vertex of degree 1 is removed with its edge.
+    If an end of the edge has degree 1, this vertex is removed, too.
     """
     gone = (dart, map_.alpha[dart])
     return _rebuilt(map_, [[d for d in vertex if d not in gone] for vertex in map_.vertices])
 
 
 def contracted(map_: CombinatorialMap, dart: Dart) -> CombinatorialMap | None:
-    """The map in which both ends of the edge of ``dart`` are one vertex; None for a loop.
+    """The map ``map_`` after the edge of ``dart`` is contracted: its two ends become one vertex.
 
-    In the rotation of the end with ``dart``, the other darts of the other end replace ``dart``.
+    Clockwise round the new vertex stand first the darts of the vertex of ``dart``, from the dart
+    after ``dart`` on; then the darts of the other end, from the dart after ``alpha[dart]`` on.
+    The two darts of the edge are removed.  The result is None for a loop, or for the only edge.
     """
     ends = [map_.vertex_of[d] for d in (dart, map_.alpha[dart])]
     if ends[0] == ends[1]:
@@ -354,8 +362,9 @@ def contracted(map_: CombinatorialMap, dart: Dart) -> CombinatorialMap | None:
 def completed(sigma: Sequence[int], alpha: Sequence[Dart]) -> CombinatorialMap:
     """The map of an explored part, in which each open dart leads to a new vertex.
 
-    Suppose that ``alpha`` maps a dart d to d itself.  If ``alpha`` maps another dart to d, this
-    dart and d become an edge.  Otherwise d is open, and a new vertex of degree 1 is made for it.
+    ``sigma`` and ``alpha`` are those of the explored part.  Suppose that ``alpha`` maps a dart d to
+    d itself.  If ``alpha`` maps another dart e to d, then e and d become an edge.  Otherwise d is
+    open, and a new vertex of degree 1 becomes the other end of its edge.
 
     Raises:
         InvalidMap: if the result is no map.
@@ -372,11 +381,12 @@ def completed(sigma: Sequence[int], alpha: Sequence[Dart]) -> CombinatorialMap:
 
 
 def without(map_: CombinatorialMap, gone: set[Dart]) -> CombinatorialMap | None:
-    """The map without the edges of the darts ``gone``.
+    """The map ``map_`` without the edges whose darts are in ``gone``.
 
-    If several parts remain, the result is the part with the vertex of dart 0.  The root is the
-    first remaining dart of this vertex, clockwise from dart 0.  The result is None if no dart of
-    this vertex remains.
+    ``gone`` holds both darts of each edge to remove.  If the rest is not connected, the result is
+    the connected part with the vertex of dart 0.  The root of the result, its dart 0, is the first
+    remaining dart of this vertex, clockwise from dart 0.  The result is None if no dart of this
+    vertex remains.
     """
 
     def left(dart: Dart) -> Dart:
@@ -395,9 +405,10 @@ def without(map_: CombinatorialMap, gone: set[Dart]) -> CombinatorialMap | None:
 
 
 def moved(map_: CombinatorialMap) -> Iterator[CombinatorialMap]:
-    """Yield the maps that arise if one dart of ``map_`` is moved to another position.
+    """Yield the connected maps that arise if one dart of ``map_`` is put into another position.
 
-    The new position is between two darts of the same vertex or of another vertex.
+    The new position is between two darts of the same vertex or of another vertex.  A vertex that
+    loses its only dart is removed.  The same map can come several times; ``map_`` can come, too.
     """
     for dart in map_.darts:
         without = [[d for d in vertex if d != dart] for vertex in map_.vertices]
@@ -412,9 +423,10 @@ def moved(map_: CombinatorialMap) -> Iterator[CombinatorialMap]:
 def _rebuilt(
     map_: CombinatorialMap, rotations: Sequence[Sequence[Dart]]
 ) -> CombinatorialMap | None:
-    """The map with these cycles of darts round its vertices; its edges are edges of ``map_``.
+    """The map in which ``rotations`` holds for each vertex its darts, clockwise.
 
-    The result is None if the map would be empty or not connected.
+    The edges are those of ``map_`` whose darts are in ``rotations``; the darts are then renumbered
+    in ascending order.  The result is None if the map would be empty or not connected.
     """
     number = {d: i for i, d in enumerate(sorted(d for vertex in rotations for d in vertex))}
     sigma, alpha = [0] * len(number), [0] * len(number)

@@ -49,10 +49,10 @@ class MapClass(StrEnum):
 
     @classmethod
     def named(cls, text: object) -> MapClass:
-        """Return the class of that name.
+        """Return the class with the name ``text``.
 
         Raises:
-            InputError: naming the classes.
+            InputError: naming all classes, if ``text`` is not the name of one.
         """
         if not isinstance(text, str) or text not in list(cls):
             raise not_one_of("class", text, cls)
@@ -60,7 +60,7 @@ class MapClass(StrEnum):
 
     @property
     def summary(self) -> str:
-        """A description of these maps in a few words."""
+        """A description of the maps of the class in a few words."""
         return _SUMMARIES[self]
 
     @property
@@ -90,7 +90,11 @@ _SUMMARIES = {
 
 
 class Condition(Protocol):
-    """A property of maps that does not depend on the numbering of darts."""
+    """A property of maps that does not depend on the numbering of darts.
+
+    A condition is built in (:class:`NamedCondition`), a user's own, or several conditions at once
+    (:class:`AllOf`).
+    """
 
     @property
     def name(self) -> str:
@@ -108,7 +112,7 @@ LEGAL = "cubic, regular:D, eulerian, trees, girth:G, genus:G, triangulation, qua
 
 
 class NamedCondition(Struct, frozen=True):
-    """A condition that comes with this program; its name may hold a number, as in ``girth:4``."""
+    """A built-in condition; its name may hold a number, as in ``girth:4``."""
 
     name: str
 
@@ -122,9 +126,9 @@ class NamedCondition(Struct, frozen=True):
         return self._kind.dual
 
     def may_begin(self, gluing: Gluing) -> bool:
-        """Whether an unfinished map can become a map with the property.
+        """Whether the unfinished map ``gluing`` can become a map with the property.
 
-        If :attr:`dual` is true: whether it can become the dual of a map with the property.
+        If :attr:`dual` is true: whether ``gluing`` can become the dual of a map with the property.
         """
         return self._kind.begins(gluing, self.number)
 
@@ -170,11 +174,13 @@ class AllOf(Struct, frozen=True):
 
 
 def narrowing(where: Condition | None) -> tuple[NamedCondition, ...]:
-    """The conditions for which the enumeration gives up unfinished maps that cannot meet them.
+    """The conditions in ``where`` that the enumeration tests on unfinished maps.
 
-    These are the conditions with a name in ``where``.  But the enumeration glues together either
-    maps or duals of maps.  So if some of these conditions are tested on maps, the result does not
-    hold those that are tested on duals.
+    The enumeration gives up an unfinished map that cannot meet one of these conditions.  Only
+    built-in conditions can be tested so; a user's condition is tested on finished maps alone.  Some
+    built-in conditions are tested on unfinished maps, and some on unfinished duals
+    (:attr:`NamedCondition.dual`), but the enumeration glues together either maps or duals.  So if
+    ``where`` holds conditions of both kinds, the result holds only those that are tested on maps.
     """
     parts = where.parts if isinstance(where, AllOf) else (where,)
     found = [part for part in parts if isinstance(part, NamedCondition)]
@@ -182,7 +188,7 @@ def narrowing(where: Condition | None) -> tuple[NamedCondition, ...]:
 
 
 def condition_named(text: str) -> NamedCondition | None:
-    """The condition of that name; None if the name is not built in.
+    """The built-in condition with the name ``text``; None if there is no such condition.
 
     Raises:
         InputError: if the number in the name is missing, is too small, or is not a number.
@@ -208,7 +214,7 @@ OPEN = -1
 
 
 class ConditionKind(Struct, frozen=True):
-    """A condition that comes with this program.
+    """A built-in condition for every number that its name can hold.
 
     Attributes:
         holds: the function that tells, for a map and the number in the name, whether the map meets
@@ -216,8 +222,8 @@ class ConditionKind(Struct, frozen=True):
         begins: the function that tells, for an unfinished map and the number, whether this map can
             still become a map that meets the condition.
         least: the least legal number; None if the name has no number.
-        dual: whether the enumeration glues together the duals of the maps; if so, ``begins`` takes
-            an unfinished dual.
+        dual: whether the enumeration glues together the duals of the maps that meet the condition;
+            if so, ``begins`` takes an unfinished dual.
     """
 
     holds: Callable[[CombinatorialMap, int], bool]
@@ -245,10 +251,10 @@ def girth(map_: CombinatorialMap) -> int | None:
 
 
 def regular(gluing: Gluing, degree: int) -> bool:
-    """Whether all vertices so far have this degree, and the missing vertices can have it.
+    """Whether all vertices of ``gluing`` have the degree ``degree``, and all new ones can have it.
 
-    The number of missing darts must be a multiple of the degree; ``gluing.limit`` bounds the number
-    of all vertices.
+    The number of darts that must still be made must be a multiple of the degree, and
+    ``gluing.limit`` must leave enough new vertices for these darts.
     """
     room = gluing.limit - len(gluing.degrees)
     return (
@@ -259,12 +265,15 @@ def regular(gluing: Gluing, degree: int) -> bool:
 
 
 def even(gluing: Gluing, _number: int) -> bool:
-    """Whether all vertices so far have even degrees."""
+    """Whether all vertices of ``gluing`` have even degrees."""
     return not any(degree % 2 for degree in gluing.degrees)
 
 
 def tree(gluing: Gluing, _number: int) -> bool:
-    """Whether each edge so far has led to a new vertex, and each open dart can lead to one."""
+    """Whether ``gluing`` can become a tree.
+
+    Each edge so far must have led to a new vertex, and each open dart must be able to lead to one.
+    """
     open_darts = sum(map(len, gluing.faces))
     edges = (len(gluing.alpha) - open_darts) // 2
     return (
@@ -275,7 +284,7 @@ def tree(gluing: Gluing, _number: int) -> bool:
 
 
 def girth_at_least(gluing: Gluing, least: int) -> bool:
-    """Whether the newest edge closes no cycle of fewer than ``least`` edges."""
+    """Whether the newest edge of ``gluing`` closes no cycle of fewer than ``least`` edges."""
     dart = gluing.newest
     if dart == OPEN:
         return True
@@ -290,10 +299,10 @@ def girth_at_least(gluing: Gluing, least: int) -> bool:
 def _shortest_round(
     start: int, goal: int, beyond: Callable[[int], Iterable[int]], most: int
 ) -> int | None:
-    """The length of a shortest cycle through an edge from the vertex ``start`` to ``goal``.
+    """The length of a shortest cycle through one edge, from the vertex ``start`` to ``goal``.
 
     The result is None if this length is more than ``most``.  ``beyond`` takes a vertex, and returns
-    the vertices to which its edges lead; the edge from ``start`` to ``goal`` is left out.
+    the vertices to which all other edges of that vertex lead.
     """
     ring, met = {start}, {start}
     for length in range(1, most + 1):
@@ -307,10 +316,11 @@ def _shortest_round(
 
 
 def genus_exactly(gluing: Gluing, genus: int) -> bool:
-    """Whether the genus of the part that is glued so far can still become ``genus``.
+    """Whether ``gluing`` can become a map of the genus ``genus``.
 
-    When further edges are glued, the genus never falls; so now it must be at most ``genus``.  A
-    finished map with n vertices has at least one face, so ``2 * genus <= m - n + 1``.
+    When further edges are glued, the genus never falls; so the genus of the edges so far must be at
+    most ``genus``.  A finished map with n vertices and m edges has at least one face, so
+    ``2 * genus <= m - n + 1``.
     """
     vertices = len(gluing.degrees)
     most = (gluing.edges - vertices - (gluing.owed > 0) + 1) // 2
@@ -327,7 +337,7 @@ def genus_exactly(gluing: Gluing, genus: int) -> bool:
 
 
 def _faces_of(length: int) -> ConditionKind:
-    """The condition that all faces have this number of darts."""
+    """The condition that all faces have ``length`` darts."""
     return ConditionKind(
         lambda m, _: all(len(face) == length for face in m.faces),
         lambda dual, _: regular(dual, length),
@@ -354,7 +364,8 @@ class MapSource(Protocol):
     """Maps that are given one by one, instead of all maps of a class.
 
     Attributes:
-        starts: for each number of edges, ascending, the number of rooted maps.
+        starts: for each number of edges, ascending, the number of the given rooted maps: a map
+            counts once for each of its starts.
         count: the number of the maps.
         fixed: whether each map comes with a single start and a single place of its lighthouse.
         words: words about the number and the origin of the maps, for messages.
@@ -368,9 +379,11 @@ class MapSource(Protocol):
     gate: str
 
     def like(self, world: Any) -> Iterable[Any]:
-        """The given worlds that equal ``world`` up to the numbering of darts.
+        """Return the given worlds that equal the world ``world`` up to the numbering of darts.
 
-        The worlds come in the order in which they were given.
+        A result has the numbering of darts with which it was given; if it was given without a
+        lighthouse, it gets that of ``world``.  The results are in the order in which they were
+        given.
         """
 
 
@@ -379,10 +392,12 @@ class Extent(Struct, frozen=True):
 
     Attributes:
         map_class: the class.
-        edges: M, or None if only the vertices are bounded (simple classes).
-        vertices: N, or None if only the edges are bounded.
-        where: a condition on the maps, or None.
-        given: the given maps; None for all maps of the class.
+        edges: the largest number of edges; None if only the vertices are bounded, which is legal
+            for simple classes.  For given maps the default is their largest number of edges.
+        vertices: the largest number of vertices; None if only the edges are bounded.
+        where: a condition that the maps meet; None if there is none.
+        given: the given maps, of which those in the class and within the bounds are taken; None for
+            all maps of the class.
 
     Raises:
         InputError: naming the offending bound and what would be legal.
@@ -421,7 +436,7 @@ class Extent(Struct, frozen=True):
 
     @property
     def levels(self) -> Sequence[int]:
-        """The numbers of edges m of the levels, ascending."""
+        """The numbers of edges of the levels, ascending; all maps of a level have as many edges."""
         if self.given is not None:
             assert self.edges is not None
             return [edges for edges in self.given.starts if edges <= self.edges]
@@ -431,11 +446,11 @@ class Extent(Struct, frozen=True):
         return range(1, self.vertices * (self.vertices - 1) // 2 + 1)
 
     def vertex_limit(self, edges: int) -> int:
-        """The largest number of vertices that a map of the level can have within the bounds."""
+        """The largest number of vertices of a map with ``edges`` edges within the bounds."""
         return edges + 1 if self.vertices is None else min(edges + 1, self.vertices)
 
     def include(self, map_: CombinatorialMap) -> bool:
-        """Whether a map belongs to the class and is within the bounds."""
+        """Whether a map belongs to the class, is within the bounds, and meets the condition."""
         edges, vertices = map_.edge_count, map_.vertex_count
         within = edges in self.levels and vertices <= self.vertex_limit(edges)
         return within and self.map_class.includes(map_) and self.admits(map_)
@@ -495,10 +510,10 @@ class ExtentOptions(ClassOptions, SizeOptions):
 
     @property
     def condition(self) -> Condition | None:
-        """The condition that narrows the class of maps; by default None."""
+        """The condition that narrows the class of maps; None here, and in requests without one."""
         return None
 
     @property
     def given(self) -> MapSource | None:
-        """The given maps; by default there are none."""
+        """The given maps; None here, and in requests that take all maps of a class."""
         return None

@@ -32,7 +32,7 @@ Alpha: TypeAlias = Annotated[Permutation, about("for each dart the other one of 
 
 
 class InvalidMap(InputError):
-    """Raised for a pair of sequences that is no map; the message names the broken law.
+    """Raised for a pair of sequences that is no map; the message says why it is none.
 
     Attributes:
         sigma, alpha: the entries of the two sequences; empty if one of them is no sequence.
@@ -46,7 +46,10 @@ class InvalidMap(InputError):
 
     @property
     def tried(self) -> str:
-        """The two sequences, one line for each; a long line is cut.  Empty without sequences."""
+        """The two sequences, one line for each; a long line is cut.
+
+        The text is empty if :attr:`sigma` and :attr:`alpha` are empty.
+        """
         sequences = {"sigma": self.sigma, "alpha": self.alpha}
         return "\n".join(f"{name} {show([*each])}" for name, each in sequences.items() if each)
 
@@ -55,9 +58,9 @@ class InvalidMap(InputError):
 class CombinatorialMap(Pictured, WrittenByFields):
     """A connected embedded graph: ``sigma`` clockwise round vertices, ``alpha`` across edges.
 
-    The only law: ``sigma`` is a permutation of ``0..2m-1`` with ``m >= 1``; ``alpha`` is an
-    involution without fixed points on the same darts; the two permutations together lead from
-    every dart to every dart.  Everything else is derived.
+    Only this is demanded: ``sigma`` is a permutation of ``0..2m-1`` with ``m >= 1``; ``alpha`` is
+    an involution without fixed points on the same darts; the two permutations together lead from
+    every dart to every dart.  Everything else, such as vertices and faces, follows from the two.
 
     Two maps are equal if both permutations are equal.  For 'the same map up to the names of the
     darts' see :func:`allworlds.maps.combinatorial.isomorphism`.
@@ -108,17 +111,23 @@ class CombinatorialMap(Pictured, WrittenByFields):
 
     @cached_property
     def vertices(self) -> tuple[tuple[Dart, ...], ...]:
-        """The cycles of sigma, each from its smallest dart, in the order of smallest darts."""
+        """The cycles of sigma: for each vertex its darts, clockwise from the smallest one.
+
+        The vertices are in the order of their smallest darts.
+        """
         return cycles(self.sigma)
 
     @cached_property
     def edges(self) -> tuple[tuple[Dart, Dart], ...]:
-        """The pairs ``(d, alpha[d])`` with ``d < alpha[d]``, ascending."""
+        """The edges as pairs ``(d, alpha[d])`` with ``d < alpha[d]``, ascending."""
         return tuple((d, e) for d, e in enumerate(self.alpha) if d < e)
 
     @cached_property
     def faces(self) -> tuple[tuple[Dart, ...], ...]:
-        """The cycles of ``phi = sigma . alpha``: each face's darts in the order of its walk."""
+        """The cycles of ``phi = sigma . alpha``: for each face its darts, in the order round it.
+
+        Each face begins with its smallest dart; the faces are in the order of these darts.
+        """
         sigma, alpha = self.sigma, self.alpha
         return cycles([sigma[alpha[d]] for d in self.darts])
 
@@ -145,7 +154,7 @@ class CombinatorialMap(Pictured, WrittenByFields):
 
     @cached_property
     def diameter(self) -> int:
-        """The largest distance of two vertices; a distance is the length of a shortest walk.
+        """The largest distance between two vertices: the length of a shortest walk between them.
 
         Cost: O(m) for each vertex.
         """
@@ -159,7 +168,7 @@ class CombinatorialMap(Pictured, WrittenByFields):
 
     @cached_property
     def parallel_count(self) -> int:
-        """The number of edges that can be removed without a change of adjacency.
+        """The number of parallel edges beyond the first one between each two vertices.
 
         Loops do not count, not even two loops at the same vertex.
         """
@@ -179,7 +188,7 @@ class CombinatorialMap(Pictured, WrittenByFields):
         return self.genus == 0
 
     def turn(self, dart: Dart, offset: int) -> Dart:
-        """``sigma^offset(dart)``: the dart ``offset`` places clockwise from ``dart``.
+        """``sigma^offset(dart)``: the dart that comes ``offset`` darts after ``dart``, clockwise.
 
         ``offset`` may be any integer.
 
@@ -208,7 +217,11 @@ class CombinatorialMap(Pictured, WrittenByFields):
         return places(self.vertices)
 
     def relabelled(self, names: Sequence[Dart]) -> CombinatorialMap:
-        """Return the map in which dart ``d`` is called ``names[d]``; ``names`` is a permutation."""
+        """Return the map in which dart ``d`` has the number ``names[d]``.
+
+        Raises:
+            ValueError: if ``names`` is no permutation of the darts.
+        """
         if sorted(names) != list(self.darts):
             last = len(self.sigma) - 1
             raise ValueError(f"{show(list(names))} is no permutation of the darts 0..{last}")
@@ -219,11 +232,11 @@ class CombinatorialMap(Pictured, WrittenByFields):
         return CombinatorialMap.trusted(sigma, alpha)
 
     def mirrored(self) -> CombinatorialMap:
-        """The mirror image: anticlockwise becomes clockwise, the darts keep their names."""
+        """The mirror image: anticlockwise becomes clockwise, the darts keep their numbers."""
         return CombinatorialMap.trusted(inverse(self.sigma), self.alpha)
 
     def dual(self) -> CombinatorialMap:
-        """The dual map: faces become vertices, and the genus stays."""
+        """The dual map: sigma becomes phi, alpha stays.  Faces become vertices; the genus stays."""
         sigma, alpha = self.sigma, self.alpha
         return CombinatorialMap.trusted([sigma[alpha[d]] for d in self.darts], alpha)
 
@@ -235,10 +248,13 @@ class CombinatorialMap(Pictured, WrittenByFields):
 
     @classmethod
     def from_json(cls, document: str | Mapping[str, Any]) -> CombinatorialMap:
-        """The map of a JSON object of :meth:`to_json`, or of its text; other keys are ignored.
+        """The map that a JSON object tells, as :meth:`to_json` returns it; other keys are ignored.
+
+        ``document`` is the object, or its text.
 
         Raises:
-            InvalidMap: if the text is no JSON object with two lists, or no map.
+            InvalidMap: if ``document`` is no JSON object with the two lists ``sigma`` and
+                ``alpha``, or the lists are no map.
         """
         if isinstance(document, str):
             document = parse_json(document, InvalidMap)
@@ -253,7 +269,10 @@ class CombinatorialMap(Pictured, WrittenByFields):
 
 
 def cycles(permutation: Sequence[int]) -> tuple[tuple[int, ...], ...]:
-    """The cycles of a permutation, each from its smallest element, ascending by this element."""
+    """The cycles of a permutation of ``0..n-1``.
+
+    Each cycle begins with its smallest element; the cycles are in the order of these elements.
+    """
     seen = [False] * len(permutation)
     found = []
     for first in range(len(permutation)):
@@ -270,9 +289,10 @@ def cycles(permutation: Sequence[int]) -> tuple[tuple[int, ...], ...]:
 
 
 def places(cycles: Sequence[Sequence[int]]) -> tuple[tuple[int, ...], tuple[int, ...]]:
-    """For each element the number of its cycle; and for each element its position in the cycle.
+    """For each element the number of its cycle; and for each element its position in its cycle.
 
-    ``cycles`` are the cycles of a permutation; a cycle's number is its index in ``cycles``.
+    ``cycles`` are the cycles of a permutation; the number of a cycle is the cycle's index in
+    ``cycles``.
     """
     size = sum(map(len, cycles))
     owner, positions = [0] * size, [0] * size
@@ -283,7 +303,10 @@ def places(cycles: Sequence[Sequence[int]]) -> tuple[tuple[int, ...], tuple[int,
 
 
 def distances(map_: CombinatorialMap, vertex: Vertex) -> dict[Vertex, int]:
-    """For each vertex the number of edges of a shortest walk to it from ``vertex``.  Cost: O(m)."""
+    """The distance of each vertex from ``vertex``: the number of edges of a shortest walk.
+
+    Cost: O(m).
+    """
     far = {vertex: 0}
     for v in (queue := [vertex]):
         for dart in map_.vertices[v]:
@@ -326,7 +349,7 @@ def _integers(name: str, tried: Mapping[str, tuple[object, ...]]) -> tuple[int, 
 
 
 def _are_lawful(sigma: tuple[int, ...], alpha: tuple[int, ...]) -> bool:
-    """Whether these sequences are a map; otherwise :func:`_broken_laws` tells the reason."""
+    """Whether the sequences are a map; if they are none, :func:`_broken_laws` tells the reason."""
     darts = [*range(len(sigma))]
     if not darts or not sorted(sigma) == darts == sorted(alpha):
         return False
@@ -359,7 +382,7 @@ def _broken_laws(sigma: tuple[int, ...], alpha: tuple[int, ...]) -> Iterator[str
 
 
 def unreached(sigma: Sequence[Dart], alpha: Sequence[Dart]) -> list[Dart]:
-    """The darts that cannot be reached from dart 0, ascending."""
+    """The darts that cannot be reached from dart 0 by sigma and alpha, ascending."""
     reached = numbering(sigma, alpha, 0)
     return sorted({*range(len(sigma))} - {*reached}) if len(reached) < len(sigma) else []
 
@@ -369,9 +392,10 @@ Code: TypeAlias = tuple[tuple[int, ...], tuple[int, ...]]
 
 
 def numbering(sigma: Sequence[Dart], alpha: Sequence[Dart], root: Dart) -> list[Dart]:
-    """The darts in the order of their canonical numbers.
+    """The darts in the order of their canonical numbers in the map rooted at ``root``.
 
-    Shape: ``order[i]`` is the dart with number ``i``.  Cost: O(m).
+    Shape: the result at index ``i`` is the dart with the canonical number ``i``.  Darts that cannot
+    be reached from ``root`` are left out.  Cost: O(m).
     """
     seen = [False] * len(sigma)
     seen[root] = True
@@ -396,9 +420,9 @@ def rooted_code(sigma: Sequence[Dart], alpha: Sequence[Dart], root: Dart) -> Cod
 
 
 def unrooted_code(map_: CombinatorialMap) -> Code:
-    """The least code among the codes of all rootings.  Cost: O(m^2).
+    """The code of a map without a root: the least of the codes for all its darts as roots.
 
-    Two maps are the same exactly if their least codes are equal.
+    Two maps are the same exactly if their codes are equal.  Cost: O(m^2).
     """
     return min(rooted_code(map_.sigma, map_.alpha, root) for root in map_.darts)
 
@@ -413,9 +437,9 @@ def automorphisms(map_: CombinatorialMap) -> int:
 
 
 def isomorphisms(one: CombinatorialMap, other: CombinatorialMap) -> int:
-    """The number of isomorphisms (orientation preserving) between maps with equally many darts.
+    """The number of isomorphisms (orientation preserving) from the map ``one`` to ``other``.
 
-    Cost: O(m^2) at worst.
+    The two maps must have equally many darts.  Cost: O(m^2) at worst.
     """
     order = numbering(one.sigma, one.alpha, 0)
     return sum(
@@ -431,9 +455,10 @@ def carries(
     other_alpha: Sequence[Dart],
     image: Dart,
 ) -> bool:
-    """Whether some isomorphism from the first map to the other map takes ``order[0]`` to ``image``.
+    """Whether an isomorphism from the first map to the other map takes ``order[0]`` to ``image``.
 
-    ``order`` is the :func:`numbering` of the first map; both maps have the same number of darts.
+    The first map is ``sigma`` and ``alpha``; ``order`` is its :func:`numbering` from any root.  The
+    other map is ``other_sigma`` and ``other_alpha``, with as many darts; ``image`` is one of these.
     Cost: O(m), but O(1) on average if there is no such isomorphism.
     """
     to = [-1] * len(sigma)
@@ -451,10 +476,11 @@ def carries(
 
 
 def isomorphism(a: CombinatorialMap, b: CombinatorialMap) -> tuple[Dart, ...] | None:
-    """A bijection ``w`` from the darts of ``a`` to those of ``b`` that keeps sigma and alpha.
+    """A bijection ``w`` from the darts of ``a`` to the darts of ``b`` that keeps sigma and alpha.
 
-    Shape: ``w[d]`` is the dart of ``b`` for dart ``d`` of ``a``.  Among all such bijections, ``w``
-    has the smallest image of dart 0.  The result is None if the maps are different.
+    Shape: ``w[d]`` is the dart of ``b`` for dart ``d`` of ``a``.  If there are several such
+    bijections, the result is the one with the smallest ``w[0]``.  The result is None if there is
+    none: the two maps are different.
 
     Cost: O(m) on average if the maps are different, O(m^2) at worst.
     """

@@ -23,8 +23,10 @@ lation                        triangulations by Tutte's formula
 
 The tests compare each source with another one.
 
-A polynomial is a tuple of integer coefficients, lowest power first.  In the comments z marks
-edges and x vertices.
+A polynomial is a tuple of integer coefficients, lowest power first.  In series and polynomials the
+power of z is a number of edges, the power of x a number of vertices.  The argument ``legal`` of a
+function is the set of legal degrees: only maps in which every vertex has a legal degree are
+counted; None allows every degree.
 """
 
 from collections import Counter
@@ -49,9 +51,9 @@ Cells: TypeAlias = dict[int, int]
 
 
 def vertex_counts(edges: int) -> range:
-    """The numbers of vertices that connected maps with ``edges`` edges have.
+    """The numbers of vertices that connected maps with ``edges`` edges can have: 1 to edges + 1.
 
-    Raises: ValueError for edges < 1, like all functions that return ``{vertices: rooted maps}``.
+    Raises: ValueError for edges < 1, like each function that returns ``{vertices: rooted maps}``.
     """
     if edges < 1:
         raise ValueError(f"a map has at least 1 edge, not {edges}")
@@ -61,13 +63,13 @@ def vertex_counts(edges: int) -> range:
 def cells(edges: int, polynomial: Polynomial) -> Cells:
     """For each number n of vertices the coefficient of x^n in ``polynomial``.
 
-    n goes through the numbers of vertices that connected maps with ``edges`` edges have.
+    n takes all numbers of vertices that connected maps with ``edges`` edges can have.
     """
     return {n: coefficient(polynomial, n) for n in vertex_counts(edges)}
 
 
 def partitions(total: int, parts: int, largest: int) -> Iterator[tuple[int, ...]]:
-    """The partitions of ``total`` into ``parts`` descending parts, each from 1 to ``largest``."""
+    """Yield the partitions of ``total`` into ``parts`` descending numbers from 1 to ``largest``."""
     if parts == 0:
         if total == 0:
             yield ()
@@ -82,9 +84,10 @@ def partitions(total: int, parts: int, largest: int) -> Iterator[tuple[int, ...]
 def sequences(
     total: int, vertices: int, largest: int, legal: Degrees | None
 ) -> Iterator[tuple[tuple[int, ...], int]]:
-    """The partitions of ``total`` into legal degrees of ``vertices`` vertices.
+    """Yield the partitions of ``total`` into the legal degrees of ``vertices`` vertices.
 
-    Each partition comes with the number of different orders of its parts.
+    The degrees are at most ``largest``.  Each partition comes in a pair with the number of
+    different orders of its degrees.
     """
     for degrees in partitions(total, vertices, largest):
         if legal is None or legal.issuperset(degrees):
@@ -101,7 +104,7 @@ def exactly(numerator: int, denominator: int) -> int:
 
 
 def coefficient(p: Polynomial, power: int) -> int:
-    """The coefficient of a power; 0 above the degree."""
+    """The coefficient of the power ``power`` in ``p``; 0 above the degree of ``p``."""
     return p[power] if power < len(p) else 0
 
 
@@ -145,7 +148,7 @@ def geometric(a: Series) -> Series:
 
 
 def catalan(n: int) -> int:
-    """The Catalan number ``C(2n, n) / (n+1)``: rooted plane trees with n edges."""
+    """The Catalan number ``C(2n, n) / (n+1)``: the number of rooted plane trees with n edges."""
     return comb(2 * n, n) // (n + 1)
 
 
@@ -153,14 +156,14 @@ def catalan(n: int) -> int:
 
 
 def rooted_maps(edges: int, legal: Degrees | None = None) -> Cells:
-    """``{vertices: rooted maps}`` with that many edges, of any orientable genus.
+    """``{vertices: rooted maps}`` with ``edges`` edges, of any orientable genus.
 
-    With ``legal``, only maps in which all vertices have legal degrees are counted.
+    If ``legal`` is not None, only maps in which all vertices have legal degrees are counted.
 
     The number is ``2m [z^m x^n] log sum_k (2k-1)!! x(x+1)...(x+2k-1) z^k / (2k)!``.  The sum
     counts all sigma by cycles, times all alpha, on labelled darts.  The logarithm keeps the
-    connected pairs.  A rooted map has ``(2m-1)!`` labellings.  With ``legal``, the sum counts only
-    sigma whose cycles have legal lengths.
+    connected pairs.  A rooted map has ``(2m-1)!`` labellings.  If ``legal`` is not None, the sum
+    counts only those sigma whose cycles have legal lengths.
     """
     return cells(edges, _connected(edges, legal))
 
@@ -196,7 +199,9 @@ def _permutations(length: int, legal: Degrees | None) -> Polynomial:
 
 
 def rooted_of_genus(edges: int, genus: int) -> Cells:
-    """``{vertices: rooted maps}`` of one genus, by the recurrence of Carrell and Chapuy.
+    """``{vertices: rooted maps}`` with ``edges`` edges, of the genus ``genus``.
+
+    The numbers come from the recurrence of Carrell and Chapuy.
 
     Source: S. R. Carrell and G. Chapuy, Simple recurrence formulas to count maps on
     orientable surfaces, J. Combin. Theory A 133 (2015).
@@ -206,8 +211,9 @@ def rooted_of_genus(edges: int, genus: int) -> Cells:
 
 @cache
 def carrell_chapuy(n: int, genus: int) -> Polynomial:
-    """The polynomial Q_g^n(x): the coefficient of x^v counts rooted maps with v vertices, n edges.
+    """The polynomial Q_g^n(x), where g is ``genus``.
 
+    The coefficient of x^v is the number of rooted maps of genus g with v vertices and n edges.
     The recurrence of Carrell and Chapuy is used with both sides multiplied by 12, so that all its
     coefficients are integers.
     """
@@ -229,9 +235,10 @@ def carrell_chapuy(n: int, genus: int) -> Polynomial:
 
 
 def rooted_of_genus_by_contraction(edges: int, genus: int, legal: Degrees | None = None) -> Cells:
-    """``{vertices: rooted maps}`` of one genus, by a recurrence that contracts edges.
+    """``{vertices: rooted maps}`` with ``edges`` edges, of the genus ``genus``.
 
-    With ``legal``, only maps in which all vertices have legal degrees are counted.
+    If ``legal`` is not None, only maps in which all vertices have legal degrees are counted.  The
+    numbers come from a recurrence that contracts edges.
 
     The recurrence counts maps with labelled vertices and a distinguished dart at each vertex.  A
     rooted map yields ``(n-1)!`` such maps, times the degrees of all vertices but the root's.
@@ -253,9 +260,9 @@ def _rooted_by_contraction(edges: int, vertices: int, genus: int, legal: Degrees
 
 @cache
 def _dotted(degrees: tuple[int, ...], genus: int) -> int:
-    """The number of maps of this genus with labelled vertices of these degrees, ascending.
+    """The number of maps of the genus ``genus`` with labelled vertices of the degrees ``degrees``.
 
-    Each vertex also has a distinguished dart.
+    The degrees are ascending.  Each vertex also has a distinguished dart.
     """
     edges = sum(degrees) // 2
     if genus < 0 or len(degrees) - edges + 1 > 2 - 2 * genus:
@@ -290,18 +297,18 @@ def _dotted_pairs(a: int, b: int, rest: tuple[int, ...], genus: int) -> int:
 
 
 def rooted_planar_simple_by_substitution(edges: int) -> Cells:
-    """``{vertices: rooted simple planar maps}`` with that many edges.
+    """``{vertices: rooted simple planar maps}`` with ``edges`` edges.
 
-    The series of all planar maps is known.  A first equation determines from it the series of the
-    maps without loops, and a second one then the series of the simple maps.
+    The series of all planar maps is known.  A first equation determines from this series the series
+    of the maps without loops; a second equation then determines the series of the simple maps.
 
-    The first: each planar map arises from one map without loops, with k edges, say.  Each of its 2k
-    corners gets a sequence of loops, with a planar map inside each loop; the root's corner gets two
-    sequences, one on each side of the root.
+    The first equation: each planar map arises from one map without loops.  If this map has k edges,
+    it has 2k corners.  Each corner gets a sequence of loops, with a planar map inside each loop;
+    the root's corner gets two sequences, one on each side of the root.
 
-    The second: each map without loops arises from one simple map.  Each edge of the simple map is
-    kept, or replaced by a map without loops whose root edge is doubled: the two copies become
-    parallel edges, with the rest of this map between them.
+    The second equation: each map without loops arises from one simple map.  Each edge e of the
+    simple map is kept, or replaced by means of a map L without loops: instead of e, two copies of
+    the root edge of L join the ends of e, and all other edges of L lie between the two copies.
     Source: the compositions of W. T. Tutte, A census of planar maps, Canad. J. Math. 15 (1963).
     """
     vertices = vertex_counts(edges)
@@ -333,13 +340,13 @@ def _coefficients(outer: Series, parts: Sequence[Series]) -> Series:
 
 
 def rooted_simple_by_degrees(edges: int, legal: Degrees | None = None) -> Cells:
-    """``{vertices: rooted simple maps}`` with that many edges, of any orientable genus.
+    """``{vertices: rooted simple maps}`` with ``edges`` edges, of any orientable genus.
 
-    With ``legal``, only maps in which all vertices have legal degrees are counted.
+    If ``legal`` is not None, only maps in which all vertices have legal degrees are counted.
 
-    Labelled graphs are counted by degree sequence.  A graph has ``prod (deg-1)!`` rotation systems,
-    and a rooted map has ``n!`` labellings of its vertices.
-    Cost: the partitions of 2m.
+    Labelled graphs are counted for each sequence of degrees.  A graph has ``prod (deg-1)!``
+    rotation systems, and a rooted map has ``n!`` labellings of its vertices.
+    Cost: the number of partitions of 2m.
     """
     return {
         n: exactly(2 * edges * _connected_rotations(n, edges, legal), factorial(n))
@@ -351,7 +358,7 @@ def rooted_simple_by_degrees(edges: int, legal: Degrees | None = None) -> Cells:
 def _connected_rotations(vertices: int, edges: int, legal: Degrees | None) -> int:
     """The number of rotation systems of all connected simple labelled graphs of this size.
 
-    There is at least one edge, and all degrees are legal.
+    Only graphs with legal degrees count; ``edges`` is at least 1.
     """
     if not vertices - 1 <= edges <= comb(vertices, 2):
         return 0
@@ -369,7 +376,8 @@ def _connected_rotations(vertices: int, edges: int, legal: Degrees | None) -> in
 def _rotations(vertices: int, edges: int, legal: Degrees | None) -> int:
     """The number of rotation systems of all simple labelled graphs of this size.
 
-    The graphs may be disconnected, but have no isolated vertices; all degrees are legal.
+    Only graphs with legal degrees count.  The graphs may be disconnected, but have no isolated
+    vertices.
     """
     if edges > comb(vertices, 2):
         return 0
@@ -405,19 +413,25 @@ def _graphs(degrees: tuple[int, ...]) -> int:
 
 
 class CountSource(NamedTuple):
-    """A source of counts: ``cells(m)`` is ``{vertices: rooted maps}`` with m edges."""
+    """A source of counts, with its name for reports.
+
+    ``cells(m)`` is ``{vertices: rooted maps}`` for the maps with m edges.
+    """
 
     name: str
     cells: Callable[[int], Cells]
 
 
 def rooted_trees(edges: int) -> Cells:
-    """``{vertices: rooted plane trees}``: Catalan numbers."""
+    """``{vertices: rooted plane trees}`` with ``edges`` edges, by Catalan numbers."""
     return {n: catalan(edges) if n == edges + 1 else 0 for n in vertex_counts(edges)}
 
 
 def rooted_with_faces(edges: int, length: int, genera: Iterable[int]) -> Cells:
-    """``{vertices: rooted maps}`` of all genera in ``genera``; each face has ``length`` darts."""
+    """``{vertices: rooted maps}`` with ``edges`` edges, in which each face has ``length`` darts.
+
+    Only maps whose genus is in ``genera`` are counted.
+    """
     cells = dict.fromkeys(vertex_counts(edges), 0)
     faces, rest = divmod(2 * edges, length)
     for genus in genera if rest == 0 else ():
@@ -429,7 +443,7 @@ def rooted_with_faces(edges: int, length: int, genera: Iterable[int]) -> Cells:
 
 
 def rooted_simple_triangulations(edges: int) -> Cells:
-    """``{vertices: rooted simple planar triangulations}`` with that many edges.
+    """``{vertices: rooted simple planar triangulations}`` with ``edges`` edges.
 
     Such a triangulation has k + 2 vertices and 3k edges; there are none with other numbers.
     Source: W. T. Tutte, A census of planar triangulations, Canad. J. Math. 14 (1962):
@@ -445,7 +459,8 @@ def rooted_simple_triangulations(edges: int) -> Cells:
 def _of_degrees(map_class: str, legal: Callable[[int], bool]) -> CountSource | None:
     """The source of counts for maps of a class in which the degree of every vertex is legal.
 
-    The result is None for the class ``planar-simple``, which has no such source.
+    ``legal`` tells whether a degree is legal.  The result is None for the class ``planar-simple``,
+    which has no such source.
     """
 
     def degrees(edges: int) -> Degrees:

@@ -1,9 +1,10 @@
 """The enumeration of all rooted maps of a class, one by one, each exactly once.
 
 A map is glued together from its root.  The darts are numbered in the order in which they are made.
-The oldest open dart is glued either to another open dart or to the first dart of a new vertex of
-degree d; the other darts of this vertex become open.  Each rooted map has exactly one such history,
-so no map is made twice.
+Each step is a *decision*: the oldest open dart is glued either to another open dart or to the first
+dart of a new vertex of degree d; the other darts of this vertex become open.  The *history* of a
+map is the sequence of its decisions.  Each rooted map has exactly one history, so no map is made
+twice.
 
 In the classes ``maps`` and ``planar`` each history can be finished, because a decision is refused
 in two cases: if it leaves no dart open, although darts must still be made; or if the bounds on
@@ -34,9 +35,15 @@ Decision: TypeAlias = int
 class Gluing:
     """An unfinished map that grows by decisions.
 
+    Args:
+        edges: m, the number of edges of the finished map.
+        map_class: the class of the finished map.
+        vertices: the largest number of vertices of the finished map; None for any number.
+        where: a condition by which unfinished maps are given up; None for no condition.
+
     Attributes:
         edges: m, the number of edges of the finished map.
-        limit: the largest allowed number of vertices.
+        limit: the largest number of vertices that the gluing may get.
         alpha: for each dart so far the dart to which it is glued; OPEN for an open dart.
         vertex: for each dart its vertex.
         degrees: the degree of each vertex.
@@ -74,15 +81,15 @@ class Gluing:
 
     @property
     def finished(self) -> bool:
-        """Whether the map is complete: no dart is open, and no dart must still be made."""
+        """Whether the gluing is a complete map: no dart is open, or must still be made."""
         return bool(self.degrees) and not self.faces
 
     def successors(self) -> "Iterator[tuple[Decision, Gluing]]":
         """Yield the legal decisions about the oldest open dart, each with the gluing after it.
 
         The order is fixed: first the decisions that glue the dart to an open dart, ascending; then
-        those that make a new vertex, by ascending degrees.  Each of the gluings can be finished;
-        but in simple classes, or under a condition on maps, a few cannot.
+        those that make a new vertex, by ascending degrees.  Each of the gluings can be finished,
+        except for a few in simple classes or under a condition on maps.
 
         Cost: O(m) for each gluing.
         """
@@ -101,7 +108,7 @@ class Gluing:
                 yield decision, after
 
     def apply(self, decision: Decision) -> None:
-        """Glue the oldest open dart as the decision says, or make the first vertex.
+        """Glue the oldest open dart as ``decision`` says; the first decision makes a vertex alone.
 
         Cost: O(m).
         """
@@ -166,7 +173,7 @@ class Gluing:
         self.neighbours[v] |= 1 << u
 
     def _excluded(self, a: Dart, b: Dart) -> bool:
-        """Whether gluing ``a`` to ``b`` would make a loop or a parallel edge in a simple class."""
+        """Whether gluing ``a`` to ``b`` is illegal: a loop or a parallel edge in a simple class."""
         u, v = self.vertex[a], self.vertex[b]
         return self.simple and (u == v or bool(self.neighbours[u] >> v & 1))
 
@@ -209,10 +216,10 @@ def rooted_maps(
     Args:
         edges: m >= 1.
         map_class: the class.
-        vertices: the largest number of vertices, or None.
+        vertices: the largest number of vertices; None for any number.
         prefix: the first decisions of a history (:func:`prefixes`); only maps whose history begins
-            with these decisions are yielded.
-        where: a condition; only maps that meet the condition are yielded.
+            with these decisions are yielded; by default all maps.
+        where: a condition; only maps that meet the condition are yielded.  None for no condition.
 
     The maps come in a fixed order.  Cost: constant memory.
     """
@@ -234,8 +241,9 @@ def _grown(
 ) -> Iterator[tuple[tuple[Decision, ...], Gluing]]:
     """Yield the gluings to which ``gluing`` grows, each with its history.
 
-    A gluing is yielded as soon as it is finished or has a history of ``depth`` decisions.
-    ``history`` holds the decisions that have led to ``gluing``.
+    A gluing is yielded as soon as it is finished or has a history of ``depth`` decisions; if
+    ``depth`` is None, only finished gluings are yielded.  ``history`` holds the decisions that have
+    led to ``gluing``.
     """
     if gluing.finished or len(history) == depth:
         yield history, gluing
@@ -245,7 +253,7 @@ def _grown(
 
 
 def history(map_: CombinatorialMap) -> tuple[Decision, ...]:
-    """The decisions that glue this map together from dart 0.  Cost: O(m)."""
+    """The decisions that glue the map ``map_`` together from its dart 0.  Cost: O(m)."""
     order, decisions = list[Dart](), list[Decision]()
     number: dict[Dart, Dart] = {}
 
@@ -292,8 +300,9 @@ def prefixes(
 ) -> Iterator[tuple[Decision, ...]]:
     """Yield the histories of all maps of the class, cut after ``depth`` decisions, once each.
 
+    The maps have exactly ``edges`` edges, and at most ``vertices`` vertices (None: any number).
     The history of each map begins with exactly one of the results.  A result may be missing if it
-    begins the history of no map that meets the condition ``where``.
+    begins the history of no map that meets the condition ``where``; None is no condition.
     """
     for history, _ in _grown(Gluing(edges, map_class, vertices, where), (), depth):
         yield history

@@ -2,7 +2,8 @@
 
 The name of a member holds numbers: ``regular:3x8`` is a member of ``regular:DxN``.  In the
 docstrings capital letters stand for these numbers, in the order of the arguments; m is the number
-of edges.  Vertex 0 is the vertex of dart 0, the root.
+of edges.  The argument ``random`` is the source of all random choices.  Vertex 0 is the vertex of
+dart 0, the root, which a robot faces at the start.
 
 The hubs of a :func:`corridor` stand in a row: first N *near* hubs, then F *far* hubs.  A hub has
 one of q *types*, which tells the darts that lead to the next hub.
@@ -55,7 +56,10 @@ def cubic(vertices: int, random: Random) -> CombinatorialMap:
 
 
 def sparse(vertices: int, edges: int, random: Random) -> CombinatorialMap:
-    """A random tree with further random edges, which may be loops or parallel."""
+    """A random tree with N vertices, and further random edges, which may be loops or parallel.
+
+    The map has M edges in all.
+    """
     if not 0 < vertices <= edges + 1 or edges < 1:
         raise ValueError("N vertices need N - 1 edges at least, and a map has 1")
     ends = [(v, random.randrange(v)) for v in range(1, vertices)]
@@ -65,12 +69,13 @@ def sparse(vertices: int, edges: int, random: Random) -> CombinatorialMap:
 
 
 def planar(edges: int, random: Random) -> CombinatorialMap:
-    """A rooted map of genus 0 with that many edges, uniform among all of them, without rejection.
+    """A random rooted map of genus 0 with ``edges`` edges; all such maps are equally likely.
 
-    The vertices of a random plane tree get labels, which change by -1, 0 or 1 along each edge.
-    Each corner of the tree is joined to the next corner with a smaller label; if there is none, to
-    an additional vertex.  The new edges are a quadrangulation, whose vertices have two colours; its
-    diagonals between the vertices of one colour form the map.
+    The map is made at the first attempt.  The vertices of a random plane tree get labels, which
+    change by -1, 0 or 1 along each edge.  Each corner of the tree is joined to the next corner with
+    a smaller label, or to an additional vertex if there is no such corner.  The new edges are a
+    quadrangulation, whose vertices have two colours; the diagonals between the vertices of one
+    colour are the edges of the map.
 
     Source: G. Schaeffer, Conjugaison d'arbres et cartes combinatoires aleatoires, 1998; with a
     random plane tree by the cycle lemma.  Cost: O(m).
@@ -107,10 +112,12 @@ def planar(edges: int, random: Random) -> CombinatorialMap:
 
 
 def _diagonals(previous: dict[int, int], root: int) -> CombinatorialMap:
-    """The map of the diagonals between the vertices of one colour in a quadrangulation.
+    """The map whose edges are the diagonals of a quadrangulation between vertices of one colour.
 
-    The colour is that of the vertex of the dart ``root``, which becomes dart 0.  Edge i of the
-    quadrangulation has the darts ``2i`` and ``2i + 1``; ``previous`` is the inverse of its sigma.
+    Edge i of the quadrangulation has the darts ``2i`` and ``2i + 1``; ``previous`` is the inverse
+    of the quadrangulation's sigma.  The colour is that of the vertex of ``root``, a dart of the
+    quadrangulation.  At the vertices of this colour, each dart of the quadrangulation becomes a
+    dart of the map: the end of the diagonal beside it.  ``root`` becomes dart 0 of the map.
     """
     following = {d: e for e, d in previous.items()}
 
@@ -161,7 +168,8 @@ def lollipop(degree: int, length: int, random: Random) -> CombinatorialMap:
 def thick(degree: int, length: int, random: Random) -> CombinatorialMap:
     """A path of L edges from vertex 0 on, with loops at its vertices.
 
-    The loops raise the degree of each inner vertex to D, and that of both ends to D - 1.
+    The loops raise the degree of each inner vertex to D, and the degree of both ends of the path to
+    D - 1.
     """
     if degree < 2 or degree % 2 or length < 1:
         raise ValueError("D is even and at least 2, L at least 1")
@@ -173,10 +181,10 @@ def thick(degree: int, length: int, random: Random) -> CombinatorialMap:
 
 
 def switched_prism(length: int, random: Random) -> CombinatorialMap:
-    """Two rings of N vertices, joined by N edges, the rungs; m = 3N.
+    """Two rings of N vertices each, joined by N edges, the rungs; m = 3N.
 
-    Two neighbouring rungs have exchanged their ends in one ring, so that the graph is only nearly
-    symmetric.  The order of the edges round each vertex is random.
+    Two neighbouring rungs have exchanged their ends in one of the rings, so that the graph is only
+    nearly symmetric.  The order of the edges round each vertex is random.
     """
     if length < 3:
         raise ValueError("N is at least 3")
@@ -214,14 +222,21 @@ def cover(sheets: int, random: Random) -> CombinatorialMap:
 
 
 def _matched(darts: list[int], random: Random) -> EdgeEnds:
-    """Random pairs of the elements of ``darts``: darts, or for each dart its vertex number."""
+    """The elements of ``darts`` in random pairs; each pair is an edge.
+
+    The number of elements is even.  The elements are darts, or vertices in place of their darts:
+    then a vertex occurs once for each of its darts.
+    """
     shuffled = darts[:]
     random.shuffle(shuffled)
     return list(zip(shuffled[::2], shuffled[1::2], strict=True))
 
 
 def _drawn(vertices: int, ends: EdgeEnds, random: Random) -> CombinatorialMap:
-    """The map of the graph with these edges, with a random order of edges round each vertex."""
+    """The map with the vertices ``0..vertices-1`` and the edges ``ends``.
+
+    The order of the edges round each vertex is random.
+    """
     around: list[list[int]] = [[] for _ in range(vertices)]
     for edge, pair in enumerate(ends):
         for v in pair:
@@ -245,7 +260,7 @@ LEAST_DEGREE = 14
 
 
 def usual_degree(far: int) -> int:
-    """The default degree of the hubs of a :func:`corridor` with F far hubs: 12F + 6.
+    """The default degree of the hubs of a :func:`corridor` with F = ``far`` far hubs: 12F + 6.
 
     With this degree all hubs have different types.
     """
@@ -255,9 +270,9 @@ def usual_degree(far: int) -> int:
 def out_darts(kind: int) -> tuple[int, int]:
     """The positions of the two darts by which a hub of the type ``kind`` leads to the next hub.
 
-    A position is a number of darts clockwise from the hub's first dart, one of the two that lead to
-    the previous vertex.  The returned positions are negative: the caller takes them modulo the
-    degree.  Hubs of different types have different positions.
+    ``kind`` is an integer from 1 to q.  A position is a number of darts clockwise from the first
+    dart of the hub, one of the two that lead to the previous vertex.  The results are negative: the
+    caller takes them modulo the degree.  For different types all these positions are different.
     """
     return -4 * kind, -4 * kind - 2
 
@@ -288,9 +303,9 @@ class CorridorShape(Struct, frozen=True):
 
     @property
     def window(self) -> int:
-        """The number g: the types of g consecutive near hubs determine their place in the row.
+        """The number g: the types of g consecutive near hubs show where in the row these hubs are.
 
-        g is the least number with ``q^g >= N = (g + 1)F``.
+        g is the least positive number with ``q^g >= N = (g + 1)F``.
         """
         window = 1
         while self.types**window < (window + 1) * self.far:
@@ -316,10 +331,11 @@ class CorridorShape(Struct, frozen=True):
 def corridor(far: int, degree: int, seed: int) -> CombinatorialMap:
     """A corridor: a row of vertex 0, N near hubs, then F far hubs; all hubs have degree R.
 
-    Two edges lead from each vertex of the row to the next; the *type* of a hub determines their
-    darts at this hub (see :func:`out_darts`).  The remaining darts of a near hub are joined
-    randomly to loops; the remaining darts of all far hubs are joined randomly to edges.  Vertex 0
-    has the darts 0 and 1; hub l has the R darts from 2 + (l - 1)R on.
+    F is ``far``, R is ``degree``, and ``seed`` determines all random choices.  Two edges lead from
+    each vertex of the row to the next vertex; the *type* of a hub determines by which of its darts
+    these edges leave it (see :func:`out_darts`).  The remaining darts of a near hub are joined in
+    random pairs, and so become loops; the remaining darts of all far hubs are joined in random
+    pairs, too.  Vertex 0 has the darts 0 and 1; hub l has the R darts from 2 + (l - 1)R on.
     """
     shape = CorridorShape(far, degree)
     numbers = f"{far}" if degree == usual_degree(far) else f"{far}x{degree}"
@@ -354,9 +370,10 @@ def hub_types(shape: CorridorShape) -> Iterator[int]:
 
 
 def _de_bruijn(letters: int, length: int) -> Iterator[int]:
-    """The letters of the least cyclic word in which each word of length ``length`` stands once.
+    """The letters, one by one, of a cyclic word that holds each word of length ``length`` once.
 
-    The letters are the integers 1..letters.
+    The letters are the integers 1..letters; of all such cyclic words, the result is the first one
+    in lexicographic order.
 
     Source: H. Fredricksen, J. Maiorana, Necklaces of beads in k colors and k-ary de Bruijn
     sequences, Discrete Math. 23 (1978): the ascending Lyndon words whose lengths divide ``length``.
@@ -373,7 +390,7 @@ def _de_bruijn(letters: int, length: int) -> Iterator[int]:
 
 
 def corridor_edges(far: int, degree: int) -> int:
-    """The number of edges m of a :func:`corridor` with F and R; 0 if F or R is illegal."""
+    """The number of edges of a :func:`corridor`; 0 if ``far`` or ``degree`` is illegal."""
     try:
         return CorridorShape(far, degree).edges
     except ValueError:
@@ -381,7 +398,7 @@ def corridor_edges(far: int, degree: int) -> int:
 
 
 LARGEST = 100_000
-"""The largest number of edges of a family's member; in larger maps a robot would not finish."""
+"""The largest number of edges of a family's member; in larger maps no run would come to its end."""
 
 
 class Family(Struct, frozen=True):
@@ -392,8 +409,9 @@ class Family(Struct, frozen=True):
         edges: the function from the numbers in a name to the number of edges without holes.
         build: the function that makes a member from the numbers in its name, the fraction of holes,
             and a seed.
-        has_holes: whether edges can be removed from the members.
-        one_map: whether a seed draws only the dart where a robot starts, if there are no holes.
+        has_holes: whether the members can have holes: edges that are removed at random.
+        one_map: whether the seeds give all rootings of one map, each with the same probability, if
+            there are no holes.
     """
 
     form: str
@@ -409,9 +427,11 @@ def family(text: str, *, holes: float = 0.0, seed: int = 0) -> CombinatorialMap:
     Args:
         text: the name of a family's member, such as ``lattice:5x6`` (5 x 6 vertices in the plane),
             ``dense:7`` (a complete graph) or ``random:9`` (see :func:`random_map`).
-        holes: the fraction of edges that are removed at random; lattice, strip and dense only.
-        seed: the seed of all random choices.  In a lattice or a strip the seed draws the holes;
-            without holes any seed but 0 draws dart 0, where a robot starts.
+        holes: the fraction of edges that are removed at random; only a lattice, a strip or a dense
+            map can have holes.
+        seed: the seed of all random choices: in a lattice, a strip or a dense map, which edges are
+            removed.  In a lattice or a strip without holes, any seed but 0 chooses a random dart as
+            the root: this dart becomes dart 0, which a robot faces at the start.
 
     Raises:
         InputError: naming the text, or the holes, and what would be legal.
@@ -428,22 +448,30 @@ def family(text: str, *, holes: float = 0.0, seed: int = 0) -> CombinatorialMap:
 
 
 def edges_of(text: str) -> int:
-    """The number of edges that the member with this name has without holes.
+    """The number of edges that the member with the name ``text`` has without holes.
 
     The number is computed from the name alone, even if no map has these sizes.
 
     Raises:
-        InputError: if the text belongs to no family.
+        InputError: if ``text`` is not the name of a member of a family.
     """
     kind, sizes = _parsed(text)
     return kind.edges(*sizes)
 
 
 def rootings(text: str, map_: CombinatorialMap, holes: float | str | None = None) -> int | None:
-    """The number of different rooted maps that the seeds draw for the name ``text``.
+    """The number of different rooted maps among the members with the name ``text``, for all seeds.
 
-    All these maps have the same probability.  The result is None if a seed draws more than the
-    dart where a robot starts.  ``map_`` is the map for any one of the seeds.  Cost: O(m^2).
+    These are the rootings of one map, and all have the same probability.  The result is None if
+    there are holes, or if :attr:`Family.one_map` is false for the family.
+
+    Args:
+        text: the name.
+        map_: the member for any seed.
+        holes: the fraction of edges that are removed, as a number or a text; None, 0 or an empty
+            text if there are no holes.
+
+    Cost: O(m^2).
     """
     kind, _ = _parsed(text)
     if not kind.one_map or holes:
@@ -461,10 +489,11 @@ def _parsed(text: str) -> tuple[Family, tuple[int, ...]]:
 
 
 def random_map(edges: int, random: Random) -> CombinatorialMap:
-    """A rooted map with that many edges, uniform among all of them; its root is dart 0.
+    """A random map with ``edges`` edges, rooted at dart 0; all such rooted maps are equally likely.
 
-    A uniform permutation sigma is drawn, with a fixed alpha, until the map is connected.  This is
-    uniform, because each rooted map has the same number of labellings with this root and alpha.
+    A random permutation sigma is drawn, with a fixed alpha, until the map is connected.  All rooted
+    maps are equally likely, because each of them has the same number of labellings of its darts
+    with this alpha and the root 0.
 
     Cost: O(m), and fewer than two draws on average for m >= 2.
     """
@@ -496,8 +525,8 @@ def _random(edges: int, _holes: float, seed: int) -> CombinatorialMap:
 def _from_seed(draw: Callable[..., CombinatorialMap]) -> Callable[..., CombinatorialMap]:
     """The field ``build`` of a :class:`Family`: a function that makes a member with ``draw``.
 
-    The function gives ``draw`` the sizes and a random generator.  The generator depends on the
-    sizes and the seed, so members of different sizes are independent.
+    The function calls ``draw`` with the numbers in the member's name and a random generator.  The
+    generator depends on these numbers and the seed, so members of different sizes are independent.
     """
 
     def build(*numbers: Any) -> CombinatorialMap:

@@ -1,10 +1,13 @@
 """Distributions of random maps, by name: the parts of the mixtures from which ``fuzz`` draws.
 
-Each distribution makes a map with a random root and with about the requested number of edges, but
-never more.
+A mixture is a list of such distributions; each of them is a *part* of the mixture.  Each
+distribution is a function of ``edges``, the requested number of edges, and ``random``, the source
+of all random choices.  The function returns a map with a random root and with about the requested
+number of edges, but never more.
 
-Two edges, one with the darts a and b, one with c and d, are *crossed* if an edge with a and d, and
-one with c and b replace them.  The order of the darts round each vertex stays.
+To *cross* two edges, one with the darts a and b, one with the darts c and d, is to replace the two
+edges by an edge with the darts a and d, and an edge with the darts c and b.  The order of the darts
+round each vertex stays.
 """
 
 from collections.abc import Callable, Iterable
@@ -29,9 +32,9 @@ DEAD_ENDS = 5
 def glued(map_class: MapClass, where: Condition | None = None) -> Generator:
     """The function that draws a map of a class by random decisions of a :class:`Gluing`.
 
-    Each decision is uniform among the legal ones; the maps themselves are not uniform.  If the
-    first :data:`DEAD_ENDS` attempts under the condition ``where`` all end without a map, the
-    condition is dropped.
+    At each decision all legal decisions are equally likely; but the maps are not all equally
+    likely.  If the first :data:`DEAD_ENDS` attempts under the condition ``where`` all end without a
+    map, the condition is dropped.
     """
 
     def generate(edges: int, random: Random) -> CombinatorialMap:
@@ -125,8 +128,10 @@ def corridor(edges: int, random: Random) -> CombinatorialMap:
 def cover(edges: int, random: Random) -> CombinatorialMap:
     """A connected covering of a small map, in which edges lead from sheet to sheet at random.
 
-    For an edge of the small map a random permutation tells to which sheet its copy in each sheet
-    leads.  At the end one edge may be removed, contracted, or crossed with another edge.
+    Each sheet has a copy of each vertex of the small map.  For each edge of the small map outside a
+    spanning tree a random permutation p of the sheets is drawn: the copy of the edge that begins in
+    sheet s ends in sheet p(s).  At last one edge may be removed, contracted, or crossed with
+    another edge.
     """
 
     def voltages(sheets: int, free: int) -> list[list[int]]:
@@ -142,7 +147,7 @@ def cover(edges: int, random: Random) -> CombinatorialMap:
 def ring(edges: int, random: Random) -> CombinatorialMap:
     """A connected covering of a small map, with the sheets in a ring.
 
-    An edge leads to the same sheet or to a neighbouring sheet.  At the end one edge may be removed,
+    An edge leads to the same sheet or to a neighbouring sheet.  At last one edge may be removed,
     contracted, or crossed with another edge.
     """
 
@@ -167,9 +172,9 @@ def _lifted(
     Args:
         edges: the largest number of edges of the covering.
         random: the source of all choices.
-        voltages: the function that returns a permutation of the sheets for each edge of the small
-            map outside a spanning tree; edges of the tree stay within a sheet.  The function takes
-            the number of sheets, and the number of permutations.
+        voltages: the function that takes a number of sheets and a number of permutations, and
+            returns so many permutations of the sheets: one for each edge of the small map outside a
+            spanning tree, as in :func:`cover`.  An edge of the tree leads to the same sheet.
     """
     size = random.randint(1, min(LARGEST_BASE, edges))
     base = families.sparse(random.randint(1, size), size, random)
@@ -206,7 +211,8 @@ def _spanning(base: CombinatorialMap) -> tuple[list[int], list[int]]:
 def _spoiled(map_: CombinatorialMap, random: Random) -> CombinatorialMap:
     """The map after one random change: an edge is removed or contracted, or two edges are crossed.
 
-    The result is ``map_`` itself with probability 1/4, or if the change would yield no map.
+    The result is ``map_`` itself with probability 1/4, and also if the change would not result in a
+    map.
     """
     a, c = random.choice(map_.darts), random.choice(map_.darts)
     b, d = map_.alpha[a], map_.alpha[c]
@@ -227,8 +233,8 @@ def mutated(map_: CombinatorialMap, most: int, random: Random) -> CombinatorialM
     edge is added to the map or to its dual; an edge added to the dual splits a vertex of the map.
 
     Args:
-        map_: the map.
-        most: the largest number of edges.
+        map_: the map to change.
+        most: the largest number of edges of the result.
         random: the source of all choices.
     """
     for _ in range(random.choice((1, 1, 2, 4))):
@@ -241,7 +247,7 @@ def mutated(map_: CombinatorialMap, most: int, random: Random) -> CombinatorialM
 
 
 def _with_more(map_: CombinatorialMap, random: Random) -> CombinatorialMap:
-    """The map with an additional edge; both its darts are at random places round vertices."""
+    """The map with an additional edge; each of its two darts is put after a random dart."""
     sigma = [*map_.sigma]
     for new in (len(sigma), len(sigma) + 1):
         at = random.randrange(new)
@@ -281,15 +287,17 @@ MIXES: dict[MapClass, tuple[str, ...]] = {
 def default_mix(extent: Extent) -> tuple[str, ...]:
     """The names of the parts of the default mixture for an extent.
 
-    Under a named condition there is one part: :data:`HISTORIES`, the maps that :func:`glued` draws.
+    If the extent's condition is built in, or consists of several of which one is built in, there is
+    one part: :data:`HISTORIES`, the maps that :func:`glued` draws.  Otherwise, also under a user's
+    own condition, the parts follow from the class alone.
     """
     return (HISTORIES,) if narrowing(extent.where) else MIXES.get(extent.map_class, (HISTORIES,))
 
 
 def generator(part: str, extent: Extent) -> Generator:
-    """The function that draws maps of the part ``part`` of a mixture.
+    """The function that draws maps from the distribution with the name ``part``.
 
-    Some of the maps may be outside the extent.
+    The maps are made for ``extent``, but some of them may be outside the extent.
     """
     if part == HISTORIES:
         return glued(extent.map_class, extent.where if narrowing(extent.where) else None)
@@ -297,10 +305,12 @@ def generator(part: str, extent: Extent) -> Generator:
 
 
 def mix_named(given: object) -> tuple[str, ...] | None:
-    """The given names of parts as a tuple; None for None.
+    """The names of parts of a mixture in ``given``, one name or several, as a tuple.
+
+    The result is None if ``given`` is None.
 
     Raises:
-        InputError: naming a text that is no part, or occurs twice.
+        InputError: naming a text that is no name of a part, or occurs twice.
     """
     if given is None:
         return None

@@ -26,9 +26,9 @@ def to_networkx(map_: CombinatorialMap) -> nx.MultiGraph:
     """The graph of the map; attributes hold its rotation.
 
     The nodes of the graph are the vertices ``0..n-1``.  The attribute ``darts`` of a node holds the
-    node's darts clockwise.  The edge of darts ``d < e`` has the key ``d`` and the attribute
-    ``darts=(d, e)``; it leads from the node of ``d`` to that of ``e``.  :func:`from_networkx` is
-    the inverse function.
+    node's darts clockwise.  The edge of darts ``d < e`` leads from the node of ``d`` to the node of
+    ``e``, and has the key ``d`` and the attribute ``darts=(d, e)``.  :func:`from_networkx` is the
+    inverse function.
     """
     import networkx as nx  # 'import allworlds' stays fast
 
@@ -48,18 +48,25 @@ def from_networkx(
     Args:
         graph: a graph of any type; a directed graph must have both directions of each edge, and
             the two directions are one edge of the map.
-        order: the source of the clockwise order round each node.  ``"positions"``: the attribute
-            ``pos`` of the node, as in :func:`from_positions`.  ``"planar"``: the embedding in the
-            plane by :func:`networkx.check_planarity`.  None: the attributes ``darts`` of
-            :func:`to_networkx`, or the attributes ``cw`` and ``ccw`` of a ``PlanarEmbedding``, of
-            any genus; other graphs are refused.
+        order: the source of the clockwise order of the edges round each node.
 
-    The vertices of the map are the nodes in their order, unless ``darts`` define another order.
+            ``"positions"``: a drawing with straight lines; the attribute ``pos`` of a node is its
+            position, as in :func:`from_positions`.
+
+            ``"planar"``: an embedding in the plane, which :func:`networkx.check_planarity` finds.
+
+            None: the graph itself, which must have the attributes ``darts`` of a graph of
+            :func:`to_networkx`, or the attributes ``cw`` and ``ccw`` of a ``PlanarEmbedding``.
+            The map may then have any genus.  A graph without these attributes is refused.
+
+    The vertices of the map are the nodes in the order of the graph.  But with the attributes
+    ``darts`` they are in the order of their smallest darts.
 
     Raises:
-        InvalidMap: naming a node without an order, a broken attribute, an edge with only one
-            direction, or an edge without a position in the order; or if the graph is disconnected
-            or without an edge; or if the map would lack an edge.
+        InvalidMap: naming a node whose edges have no order, an attribute with an illegal value, or
+            an edge with only one direction; or if ``order`` is illegal; or if the graph is not
+            connected, has no edge, or is not planar but ``order="planar"``; or if the map would not
+            have exactly the nodes and edges of the graph.
 
     Cost: O(m log m).
     """
@@ -101,11 +108,14 @@ IDS = ("id", "osmid")
 
 
 def undirected(graph: nx.Graph) -> nx.Graph:
-    """The undirected graph: the two directions of each edge become one edge.
+    """The undirected graph of ``graph``: the two directions of each edge become one edge.
+
+    A graph that is undirected already is returned unchanged.
 
     Raises:
-        InvalidMap: for a value that is not a graph; naming an edge without the reverse direction,
-            or a node without an edge.
+        InvalidMap: for a value that is not a graph, or a graph without a node; naming a node
+            without an edge, an edge without the reverse direction, or an edge whose two directions
+            have different keys or ids.
     """
     import networkx as nx
 
@@ -151,9 +161,9 @@ def from_positions(graph: nx.Graph, pos: Mapping[Any, Sequence[float]]) -> Combi
     Darts are numbered node by node, and at each node clockwise from the direction straight up.
 
     Raises:
-        InvalidMap: naming a node without a position of two finite numbers, two joined nodes at one
-            place, two edges that leave a node in one direction, a loop or parallel edges; or as in
-            :func:`from_networkx`.
+        InvalidMap: naming a node whose position is not two finite numbers, two joined nodes with
+            equal positions, two edges that leave a node in one direction, a loop or parallel edges;
+            or as in :func:`from_networkx`.
 
     Cost: O(m log m).
     """
@@ -170,7 +180,9 @@ def from_positions(graph: nx.Graph, pos: Mapping[Any, Sequence[float]]) -> Combi
 def from_directions(
     graph: nx.Graph, passages: Sequence[tuple[tuple[Any, Fraction], tuple[Any, Fraction]]]
 ) -> CombinatorialMap:
-    """The map of a graph; the directions in which edges leave a node give their clockwise order.
+    """The map of a graph in which each edge leaves its ends in known directions.
+
+    The directions of the edges at a node give the clockwise order of the edges round the node.
 
     Args:
         graph: an undirected graph.  The nodes in their order become the vertices.
@@ -207,10 +219,10 @@ def _point(v: Hashable, position: Any) -> tuple[Fraction, Fraction]:
 
 
 def turn(v: Hashable, w: Hashable, here: Sequence[Fraction], there: Sequence[Fraction]) -> Fraction:
-    """The direction from ``here`` to ``there``: clockwise 0 is up, 1 right, 2 down, 3 left.
+    """The direction from the position ``here`` to ``there``, as a number from 0 to less than 4.
 
-    ``here`` and ``there`` are the positions of the nodes ``v`` and ``w``; the names of the nodes
-    are for messages.
+    The numbers increase clockwise: 0 is up, 1 right, 2 down, 3 left.  ``v`` and ``w`` are the nodes
+    at these positions, and are named in messages.
 
     Raises:
         InvalidMap: if the positions are equal.
@@ -238,11 +250,12 @@ def embeddings(
     the vertex.
 
     Raises:
-        InvalidMap: at once, if the graph is not connected or has no edge; InputError for a genus
-            that is no integer of at least 0.
+        InvalidMap: at once, if the graph is not connected or has no edge.
+        InputError: at once, if ``genus`` is neither None nor an integer of at least 0.
 
-    Cost: ``(d - 1)!`` choices for each vertex of degree d.  Each map costs O(m).  Each class of
-    maps that are the same costs O(m^2), because the codes of all its rootings are kept.
+    Cost: ``(d - 1)!`` cyclic orders at each vertex of degree d.  Each map costs O(m).  If
+    ``up_to_isomorphism`` is true, each yielded map costs O(m^2), because the codes of all its
+    rootings are kept.
     """
     if genus is not None and an_integer("genus", genus) < 0:
         raise InputError(f"genus = {genus}; legal is an integer of at least 0")
@@ -257,7 +270,7 @@ def embeddings(
 
 
 def _turned(map_: CombinatorialMap) -> Iterator[CombinatorialMap]:
-    """The maps with the same edges and every cyclic order round each vertex, one at a time."""
+    """Yield the maps with the edges of ``map_``, for all cyclic orders of darts round vertices."""
     orders = [permutations(others) for _, *others in map_.vertices]
     chosen = [next(each) for each in orders]
     while True:
@@ -284,9 +297,9 @@ def _one_of_each_class(maps: Iterable[CombinatorialMap]) -> Iterator[Combinatori
 
 
 def compared(map_: CombinatorialMap, nodes: Sequence[Any], graph: nx.Graph) -> CombinatorialMap:
-    """The map ``map_`` itself, after a check that it has the nodes and edges of the graph.
+    """Return ``map_`` itself, after a check that this map has the nodes and edges of ``graph``.
 
-    ``nodes`` holds the node of each vertex.
+    ``nodes`` holds for each vertex of the map the node for which the vertex stands.
 
     Raises:
         InvalidMap: if the map and the graph have different nodes, or edges with different ends.
@@ -307,7 +320,11 @@ def compared(map_: CombinatorialMap, nodes: Sequence[Any], graph: nx.Graph) -> C
 
 
 def _from_darts(graph: nx.Graph) -> CombinatorialMap:
-    """The map of a graph whose nodes and edges have the attribute ``darts``."""
+    """The map of a graph whose nodes and edges have the attribute ``darts`` of :func:`to_networkx`.
+
+    Raises:
+        InvalidMap: naming a node or an edge whose attribute is missing or illegal.
+    """
     around = {v: _darts(f"node {show(v)}", data) for v, data in graph.nodes(data=True)}
     owner = {dart: v for v, darts in around.items() for dart in darts}
     pairs, loose = [], dict(owner)
@@ -325,9 +342,12 @@ def _from_darts(graph: nx.Graph) -> CombinatorialMap:
 
 
 def _darts(node: str, data: Mapping[str, Any]) -> list[int]:
-    """The integers in the attribute ``darts`` of a node or an edge; at least one.
+    """The integers in the attribute ``darts`` of a node or an edge.
 
-    ``node`` names the node or the edge in messages; ``data`` holds its attributes.
+    ``node`` names the node or the edge in messages; ``data`` holds all its attributes.
+
+    Raises:
+        InvalidMap: if the attribute is missing, or is not a list of one integer or more.
     """
     if "darts" not in data:
         raise InvalidMap(f"{node} has no attribute 'darts'; all nodes and edges have it, or none")
@@ -341,7 +361,7 @@ def _darts(node: str, data: Mapping[str, Any]) -> list[int]:
 
 
 def permutation(cycles: Iterable[Sequence[int]]) -> list[int]:
-    """The permutation with these cycles, as the list of its images.
+    """The permutation with the cycles ``cycles``, as the list of the images of 0, 1, ...
 
     Raises:
         InvalidMap: unless each of 0..N-1 is in exactly one cycle.
@@ -357,9 +377,10 @@ def from_faces(faces: Sequence[Sequence[Hashable]]) -> CombinatorialMap:
     """The map of a closed surface that is glued from polygons.
 
     Args:
-        faces: the vertices of each face in the order of its walk, such as ``"abc"``; each edge must
-            be walked once in each direction.  Darts are numbered in this order, each at the vertex
-            where it begins.  Parallel edges and loops are refused; for them use
+        faces: for each face its vertices in the order of a walk round the face, such as ``"abc"``.
+            Each edge must be walked once in each direction; such a passage along an edge becomes a
+            dart of the vertex where the passage begins.  Darts are numbered in the order of the
+            passages.  Parallel edges and loops are refused; for maps that have them use
             :func:`~allworlds.maps.build.from_cycles`.
 
     Raises:
@@ -395,7 +416,14 @@ def from_faces(faces: Sequence[Sequence[Hashable]]) -> CombinatorialMap:
 
 
 def _clockwise(v: Hashable, around: Mapping[Hashable, Mapping[str, Any]]) -> list[Hashable]:
-    """The neighbours of ``v`` clockwise, in the order of ``PlanarEmbedding.neighbors_cw_order``."""
+    """The neighbours of ``v`` clockwise, in the order of ``PlanarEmbedding.neighbors_cw_order``.
+
+    ``around`` holds for each neighbour w of ``v`` the attributes of the edge from ``v`` to w:
+    ``cw`` is the next neighbour after w clockwise, ``ccw``, which may be missing, the one before.
+
+    Raises:
+        InvalidMap: if these attributes do not lead once round all neighbours.
+    """
     following = {w: data.get("cw") for w, data in around.items()}
     first = w = next(reversed(following), None)
     walk = []

@@ -2,14 +2,18 @@
 
 In the quotient, darts that look alike are merged into one *class*.  All classes have the same size
 k, the number of *sheets*.  A class that alpha maps to itself is a *semi-edge*; all other edges of
-the quotient are *ordinary*.  The root of the quotient is a class at the vertex v0.
+the quotient are *ordinary*.  The root of the quotient is a class at the vertex v0.  The *cone
+index* of a vertex of the quotient is the number of times that the classes of this vertex repeat
+round each vertex of the map whose darts are in these classes.
 
-The lighthouse ``position`` is one mark at v0, without a direction.  Under it finitely many worlds
-share a rooted quotient.  A world is made from k sheets by a *choice* of permutations of the sheets:
-one for each vertex but v0, with all cycles of the length of its cone index; one for each semi-edge,
-with all cycles of length 2; and an arbitrary one for each ordinary edge outside a spanning tree.  A
-walk round v0 permutes the sheets by a fixed cyclic shift c of all k sheets.  Two choices make the
-same world if and only if conjugation by a power of c takes one to the other (docs/ambiguity.md).
+The lighthouse ``position`` is one mark at v0, without a direction.  Under this lighthouse finitely
+many worlds share a rooted quotient.  A world is made from the quotient and k sheets by a *choice*
+of permutations of the sheets: for each vertex but v0 a permutation in which the length of every
+cycle is the vertex's cone index; for each semi-edge a permutation in which every cycle has length
+2; and for each ordinary edge outside a spanning tree any permutation.  At v0 there is no choice: a
+turn clockwise past each class of v0 once leads from a sheet to the next one, by a fixed cyclic
+shift c of all k sheets.  Two choices make the same world if and only if conjugation by a power of c
+takes one choice to the other (docs/ambiguity.md).
 """
 
 from collections import Counter
@@ -29,12 +33,12 @@ def coarsest_partition(
 ) -> list[int]:
     """For each element the number of its block in the coarsest partition with two properties.
 
-    Elements of the same block have equal labels, and each permutation maps blocks into blocks.
-    Blocks are numbered from 0; the order of the blocks has no meaning, but depends only on the
-    arguments.
+    The properties: elements of the same block have equal labels; and each permutation maps every
+    block into one block.  Blocks are numbered from 0; the order of the blocks has no meaning, but
+    depends only on the arguments.
 
     Args:
-        labels: the label of each element ``0..n-1``.
+        labels: the label of each of the elements ``0..n-1``.
         permutations: permutations of the elements.
 
     Cost: O(n log n) for each permutation.  Source: Hopcroft 1971 ('process the smaller
@@ -55,7 +59,10 @@ def coarsest_partition(
 
 
 class _Partition:
-    """Blocks as intervals of one array: block ``b`` is ``elements[first[b]:past[b]]``."""
+    """A partition of elements; block ``b`` is ``elements[first[b]:past[b]]``.
+
+    At first each block holds all elements with one label.
+    """
 
     def __init__(self, labels: Sequence[Hashable]) -> None:
         number: dict[Hashable, int] = {}
@@ -67,9 +74,10 @@ class _Partition:
         self.first = [0, *self.past[:-1]]
 
     def split(self, chosen: Sequence[int]) -> list[int]:
-        """Split each block into its chosen and its other elements; return the new blocks' numbers.
+        """Split each block into its elements in ``chosen`` and its other elements.
 
-        The smaller part of a block becomes the new block.  Cost: O(len(chosen)).
+        Return the numbers of the new blocks.  The smaller part of a block becomes the new block; a
+        block without chosen elements, or without others, stays.  Cost: O(len(chosen)).
         """
         elements, position, block, first = self.elements, self.position, self.block, self.first
         border: dict[int, int] = {}  # the chosen elements of a block lie before its border
@@ -102,7 +110,8 @@ class Quotient(Struct, frozen=True, dict=True):
 
     Attributes:
         sigma, alpha: the permutations of the classes; alpha may have fixed points.
-        degree: for each class the degree of the map's vertices that have a dart in the class.
+        degree: for each class the degree of those vertices of the map that have a dart in the
+            class.
         labels: for each class the label of its darts.
         sheets: k, the number of darts in each class.
     """
@@ -115,9 +124,10 @@ class Quotient(Struct, frozen=True, dict=True):
 
     @cached_property
     def vertices(self) -> tuple[tuple[int, ...], ...]:
-        """The cycles of sigma, each from its smallest class, ascending by this class.
+        """The cycles of sigma: for each vertex its classes, clockwise from the smallest one.
 
-        The first cycle is the vertex of the root.
+        The vertices are in the order of their smallest classes, so the first vertex is that of the
+        root.
         """
         return combinatorial.cycles(self.sigma)
 
@@ -131,7 +141,7 @@ class Quotient(Struct, frozen=True, dict=True):
         """For each vertex of the quotient its cone index, which divides k.
 
         The cone index is the degree of a vertex of the map, divided by the number of classes of
-        its darts: the number of times that these classes repeat round the vertex.
+        the vertex's darts: the number of times that these classes repeat round the vertex.
         """
         return tuple(self.degree[vertex[0]] // len(vertex) for vertex in self.vertices)
 
@@ -165,7 +175,7 @@ class Quotient(Struct, frozen=True, dict=True):
         return tuple(edge for edge in self.edges if edge[0] not in tree)
 
     def rerooted(self, root: int) -> "Quotient":
-        """Return the quotient rooted at another class."""
+        """Return this quotient with the class ``root`` as the root, in canonical numbering."""
         order = combinatorial.numbering(self.sigma, self.alpha, root)
         return Quotient(
             *combinatorial.rooted_code(self.sigma, self.alpha, root),
@@ -209,10 +219,11 @@ def project(labelled: Labelled) -> Projection:
 
 
 def classes_of_union(*parts: Labelled) -> tuple[tuple[int, ...], ...]:
-    """For each of several maps the class of each dart, with classes common to all maps.
+    """For each of several maps the class of each dart.
 
-    The classes are numbered in canonical order from the root of the first map.  Then the new
-    classes are numbered from the root of the second map, and so on.
+    The classes are common to all maps: two darts that look alike have the same class, also in
+    different maps.  The classes are numbered in canonical order from the root of the first map;
+    then the classes that are not yet numbered, from the root of the second map; and so on.
 
     Cost: O(M log M) for M darts in all.
     """
@@ -241,8 +252,9 @@ def classes_of_union(*parts: Labelled) -> tuple[tuple[int, ...], ...]:
 def is_ambiguous(quotient: Quotient) -> bool:
     """Whether two or more worlds with the lighthouse ``position`` have this quotient.
 
-    If the quotient has a cycle (beta1 > 0), this is so for k >= 2 sheets.  If beta1 = 0, this is so
-    for k >= 3 sheets, unless there is no semi-edge and every cone index but that of v0 is 1.
+    If the quotient has a cycle (beta1 > 0), the result is true for k >= 2 sheets.  If beta1 = 0,
+    the result is true for k >= 3 sheets, unless there is no semi-edge and every cone index except
+    that of v0 is 1.  The root must be at v0.
 
     Cost: O(m).
     """
@@ -256,9 +268,10 @@ def pose_count(quotient: Quotient) -> int:
     """The number P of poses: pairs of a world with this quotient and a dart of the robot.
 
     The dart is one of the k darts at v0 in the class of the root; isomorphic pairs count once.  P
-    equals the number of choices: P = (k!)^beta1 N(k,2)^s prod N(k,b_v).  s is the number of
-    semi-edges, and b_v the cone index of the vertex v; the product is over all vertices except v0.
-    N(k,b) is the number of permutations of k things in which all cycles have length b.
+    is also the number of choices (see the module's docstring): (k!)^beta1 N(k,2)^s prod N(k,b_v).
+    Here s is the number of semi-edges, and b_v the cone index of the vertex v; the product is over
+    all vertices except v0.  N(k,b) is the number of permutations of k things in which all cycles
+    have length b.
     """
     return _fixed_by_rotations(quotient, quotient.sheets)
 
@@ -266,7 +279,8 @@ def pose_count(quotient: Quotient) -> int:
 def class_size(quotient: Quotient) -> int:
     """The number of worlds with the lighthouse ``position`` and this quotient.
 
-    The worlds are the orbits of the choices under the powers of c; Burnside's lemma counts them.
+    The worlds are the orbits of the choices under the powers of c, as the module's docstring
+    explains; Burnside's lemma counts the orbits.
 
     Cost: at most k products of large integers for each vertex, each edge and each divisor of
     k; no world is made.
@@ -280,7 +294,7 @@ def class_size(quotient: Quotient) -> int:
 def _fixed_by_rotations(quotient: Quotient, cycles: int) -> int:
     """The number of choices whose permutations all commute with a certain power of c.
 
-    This is a power of c with ``cycles`` cycles; all such powers yield the same number.  The
+    That power is any power of c with ``cycles`` cycles; all of these yield the same number.  The
     module's docstring says what a choice and c are.
     """
     k = quotient.sheets

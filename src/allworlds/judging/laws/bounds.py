@@ -16,12 +16,18 @@ _NAMES = (*VARIABLES, "paper")
 
 
 def default_step_budget(bound: int) -> int:
-    """The default step budget of a run: 8 times ``bound``, the paper's bound, plus 100."""
+    """The default step budget of a run: 8 times ``bound``, the paper's bound, plus 100.
+
+    A run with more traversals than its step budget is cut off.
+    """
     return 8 * bound + 100
 
 
 def far_beyond(bound: int) -> int:
-    """The number of traversals at which a bound is far exceeded: 100 times the bound, plus 100."""
+    """The number of traversals beyond which a run is stopped: 100 times ``bound``, plus 100.
+
+    Such a run exceeds the bound in any case.
+    """
     return 100 * max(0, bound) + 100
 
 
@@ -47,10 +53,12 @@ def paper_terms(vertices: int, edges: int) -> tuple[int, int]:
 
 
 def two_vertices_bound(vertices: int, edges: int, degree: int) -> int:
-    """The paper's bound, plus two traversals for each test, plus the cost of the search for v1.
+    """The bound ``two-vertices``, for Algorithm 1 with marks at two neighbours, v0 and v1.
 
-    In pass p = 0, 1, ..., m-1 there are at most 2m - 2p - 1 hypotheses to test, which makes m^2 in
-    all; the search tries the darts of v0, and costs at most 2 deg(v0).  ``degree`` is deg(v0).
+    The bound is the paper's bound, plus two traversals for each test of a hypothesis, plus the cost
+    of the search for v1.  In pass p = 0, 1, ..., m-1 there are at most 2m - 2p - 1 hypotheses to
+    test, which makes m^2 tests in all passes.  The search tries the darts of v0, and costs at most
+    2 deg(v0).  ``degree`` is deg(v0).
     """
     return paper_bound(vertices, edges) + 2 * edges**2 + 2 * degree
 
@@ -78,7 +86,11 @@ class Bound:
         return bound_named, (self.name,)
 
     def of(self, map_: CombinatorialMap, start: Dart) -> int | None:
-        """The largest legal number of traversals in a map from a start; None without a bound."""
+        """The bound's value in the world with the map ``map_`` and the start dart ``start``.
+
+        A run with more traversals breaks the law ``bound``.  The result is None if there is no
+        bound.
+        """
         # Most bounds do not depend on these two variables, which take longer than all others.
         diameter = map_.diameter if "d" in self.variables else 0
         genus = map_.genus if "g" in self.variables else 0
@@ -106,12 +118,13 @@ BOUNDS = {
 def bound_named(text: str) -> Bound:
     """The bound with a name in :data:`BOUNDS`, or the bound that an expression defines.
 
-    An expression is built from integers, n (vertices), m (edges), d0 (degree of v0), D (the
-    largest degree), d (the diameter), g (the genus), paper, ``+ - * // **``, ``min``, ``max`` and
-    parentheses; it is evaluated exactly.
+    ``text`` is the name or the expression.  An expression is built from integers, n (the number of
+    vertices), m (the number of edges), d0 (the degree of the vertex where the robot starts), D (the
+    largest degree), d (the diameter), g (the genus), paper (the value of :func:`paper_bound`),
+    ``+ - * // **``, ``min``, ``max`` and parentheses.  Values are computed exactly.
 
     Raises:
-        InputError: naming the part that is illegal.
+        InputError: naming the part of ``text`` that is illegal.
     """
     if text in BOUNDS:
         return BOUNDS[text]

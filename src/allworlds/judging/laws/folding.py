@@ -1,10 +1,10 @@
 """The folded log: everything that a directional log proves, without trust in any explorer.
 
-A *node* is a copy of a vertex; at first every arrival through an open dart makes a new node.  A
-robot that arrives at v0 knows its vertex and its dart, so the node of this arrival is merged with
-v0; the bearing says which dart is merged with which.  If a dart then leads to two nodes, these are
-merged, too.  The result is a part of every world that agrees with the log; if it has no open dart,
-it *is* the world.
+A directional log is the log of a run under the directional lighthouse.  A *node* is a copy of a
+vertex; at first every arrival through an open dart makes a new node.  At v0 a robot knows its
+vertex and its dart, so the node of an arrival at v0 is merged with v0; the bearing says which dart
+is merged with which.  If a dart then leads to two nodes, these two are merged, too.  The result is
+a part of every world that agrees with the log.  A result without an open dart *is* the world.
 """
 
 from msgspec import Struct
@@ -17,7 +17,7 @@ class Contradiction(ValueError):
 
 
 class Folded(Struct, frozen=True):
-    """The folded log.
+    """The folded log: the part of the map that a log proves.
 
     Attributes:
         sigma, alpha: the known part of the map; the darts of v0 come first, from the dart that the
@@ -37,12 +37,14 @@ class Folded(Struct, frozen=True):
 
 
 def fold(transcript: Transcript) -> Folded:
-    """Fold the log: return the part of the map that the log proves.
+    """Fold the log of a run: return the part of the map that the log proves.
+
+    ``transcript`` is the log: the actions and percepts of a run under the directional lighthouse.
 
     Raises:
-        Contradiction: if no world has this log.
+        Contradiction: if no world with a directional lighthouse has this log.
 
-    Cost: almost linear in the steps times the largest degree.
+    Cost: almost linear in the number of steps times the largest degree.
     """
     folding = _Folding(transcript.first)
     dart = 0
@@ -53,12 +55,11 @@ def fold(transcript: Transcript) -> Folded:
 
 
 class _Folding:
-    """Nodes in a union-find forest, a forest of trees in which merged nodes have one root.
+    """Nodes in a union-find forest: a forest of trees, each of which holds merged nodes.
 
-    A merged node keeps the number of darts by which it is turned against its parent.
-
-    Node v owns the darts ``first[v] .. first[v] + degree[v] - 1``.  If ``parent[v] = w``,
-    dart i of v is dart ``i + shift[v]`` (modulo the degree) of w.
+    The root of a tree stands for all nodes of the tree.  Node v owns the darts
+    ``first[v] .. first[v] + degree[v] - 1``.  If ``parent[v] = w``, dart i of v is merged with dart
+    ``i + shift[v]`` (modulo the degree) of w.  The parent of a root is the root itself.
     """
 
     def __init__(self, first: Percept) -> None:
@@ -76,9 +77,10 @@ class _Folding:
         self._add(first.degree)
 
     def walk(self, dart: int, k: int, percept: Percept) -> int:
-        """Note a motion: the robot leaves by ``sigma^k(dart)``, and senses ``percept``.
+        """Note a motion: the robot leaves by ``sigma^k(dart)``, and then senses ``percept``.
 
-        Return the dart of arrival.  Like ``dart``, it is a dart of a root node.
+        ``dart`` is the robot's dart before the motion.  Return the dart of arrival.  Both darts
+        are darts of root nodes.
 
         Raises:
             Contradiction: if no world agrees with the log so far and with this percept.
@@ -105,7 +107,11 @@ class _Folding:
         return arrived
 
     def result(self, dart: int) -> Folded:
-        """The folded log, made of the root nodes; the robot is at ``dart``."""
+        """The folded log, made of the root nodes; the robot is at ``dart``.
+
+        Raises:
+            Contradiction: if a dart would be the other end of its own edge.
+        """
         number: dict[int, int] = {}
         sigma: list[int] = []
         for v, (first, degree) in enumerate(zip(self.first, self.degree, strict=True)):
@@ -124,7 +130,7 @@ class _Folding:
         return Folded(tuple(sigma), tuple(alpha), number[self._root(dart)])
 
     def _add(self, degree: int) -> int:
-        """Add a new node; return its first dart."""
+        """Add a new node with ``degree`` darts; return the first dart of the node."""
         start, v = len(self.node), len(self.first)
         self.node.extend([v] * degree)
         self.link.extend([-1] * degree)
@@ -136,7 +142,10 @@ class _Folding:
         return start
 
     def _root(self, dart: int) -> int:
-        """The dart of a root node with which this dart was merged; a root's dart itself."""
+        """The dart of a root node with which ``dart`` was merged.
+
+        The result is ``dart`` itself if its node is a root.
+        """
         v = self.node[dart]
         while self.parent[v] != v:
             w = self.parent[v]
@@ -145,7 +154,13 @@ class _Folding:
         return dart
 
     def _merge(self, a: int, b: int) -> None:
-        """Merge dart ``a`` with dart ``b``, their vertices, and the other ends of their darts."""
+        """Merge dart ``a`` with dart ``b``, and thereby the node of ``a`` with the node of ``b``.
+
+        If two darts that are merged both have a known other end, these two ends are merged, too.
+
+        Raises:
+            Contradiction: if two darts of one node, or nodes of different degrees, would be merged.
+        """
         todo = [(a, b)]
         while todo:
             a, b = todo.pop()
@@ -172,7 +187,7 @@ class _Folding:
 
 
 def _check(percept: Percept) -> None:
-    """Raise Contradiction if no directional lighthouse allows this percept.
+    """Raise Contradiction if a robot cannot sense ``percept`` under the directional lighthouse.
 
     The degree must be positive.  A percept with a mark has a bearing below the degree; a percept
     without a mark has no bearing.

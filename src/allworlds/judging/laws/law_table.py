@@ -1,13 +1,15 @@
 """**The** table of the laws of finished runs, and each law as a function.
 
-A new law needs a function of a :class:`Case` (a run together with the truth), and an entry in
-``LAWS``.  ``ASKED`` holds for every law a sentence about what an explorer must do; it takes the
-sentences of ``LAWS`` over from there.  A law that ends a run early, such as ``timeout``, is not in
-``LAWS``, and has its entry in ``ASKED``.
+A new law needs a function of a :class:`Case` (a run together with its world), and an entry in
+``LAWS``.  The function of a law returns the violation, or None if the law holds.  ``ASKED`` holds
+for every law a sentence about what an explorer must do; for a law in ``LAWS`` this sentence is
+copied from ``LAWS``.  A law outside ``LAWS``, such as ``timeout``, which ends a run early, has only
+an entry in ``ASKED``.
 
-The laws about checkpoints embed the S of a checkpoint into the true map: they map the checkpoint's
-``here`` to the robot's true dart; the images of all other darts follow along sigma and the explored
-edges, because S is connected.
+For the laws about checkpoints :func:`embed` finds the image of each dart of S, the explored part in
+a checkpoint: the image is a dart of the world.  The image of the checkpoint's ``here`` is the dart
+where the robot stood at the checkpoint; the images of all other darts follow along sigma and the
+explored edges, because S is connected.
 """
 
 from __future__ import annotations
@@ -33,14 +35,16 @@ if TYPE_CHECKING:
 
 
 class Case(Struct, frozen=True, dict=True):
-    """A finished run together with the truth.
+    """A finished run together with its world, by which the run is judged.
 
     Attributes:
-        walk: the robot's walk in the true map.
-        checkpoints: the checkpoints, each with the number of steps before it.
-        estimate: the answer: an estimate with a valid map, or a quotient with valid permutations;
-            its ``here`` is one of its darts.  None if the task does not ask for a map.
-        bound: the largest legal number of traversals; None if there is no bound.
+        walk: the robot's walk, which also holds the world.
+        checkpoints: the checkpoints of the run, each in a pair with the number of steps before it.
+        estimate: the explorer's answer: an estimate with a valid map, or a rooted quotient with
+            valid permutations.  ``estimate.here`` is a dart of this map or quotient.  None if no
+            answer is judged, for example because the task does not ask for a map.
+        bound: the largest number of traversals that the law ``bound`` allows; None if there is no
+            bound.
     """
 
     walk: Walk
@@ -82,9 +86,9 @@ class Case(Struct, frozen=True, dict=True):
 
 
 Value: TypeAlias = Estimate | int | str
-"""The expectation of a law, or the observation in a run.
+"""A value in a violation: the value that a law demands, or the value that the run has instead.
 
-An estimate for the laws ``map`` and ``pose``, an integer for ``bound``, a text for all others.
+An estimate for the laws ``map`` and ``pose``, an integer for ``bound``, a text for all other laws.
 """
 
 
@@ -93,10 +97,10 @@ class Violation(Struct, frozen=True):
 
     Attributes:
         law: the name of the law.
-        expected, seen: the expectation and the observation: estimates for the laws map and pose,
-            integers for bound, sentences for all other laws.
-        step: the number of steps before the checkpoint that breaks the law; None if no
-            checkpoint breaks it.
+        expected, seen: what the law demands, and what the run has instead: estimates for the laws
+            ``map`` and ``pose``, integers for ``bound``, sentences for all other laws.
+        step: the number of steps before the checkpoint that breaks the law; None if the violation
+            is not about one checkpoint.
     """
 
     law: str
@@ -109,7 +113,7 @@ class Violation(Struct, frozen=True):
 
 
 def map_law(case: Case) -> Violation | None:
-    """Require that the estimate is the same map as the world (Section V: extended isomorphism)."""
+    """Require that the estimate has the same map as the world (Section V: extended isomorphism)."""
     return _wrong_answer(case, "map") if case.answer == "map" else None
 
 
@@ -133,7 +137,8 @@ def ambiguity_law(case: Case) -> Violation | None:
 
     The world must also have lookalikes: other worlds, with maps of any class, in which every walk
     has the same percepts.  An answer without a map is legal only under the lighthouse ``position``,
-    perhaps with n and m told: the robot senses the degree, and one mark at the vertex of the start.
+    where the robot senses the degree, and one mark at the vertex of the start; the numbers n and m
+    may be told to the explorer before the start.
     Cost: O(m log m).
     """
     answer = case.estimate
@@ -158,7 +163,7 @@ def ambiguity_law(case: Case) -> Violation | None:
 
 
 def _canonical(answer: Ambiguous) -> Ambiguous:
-    """The quotient ``answer`` with its darts renumbered canonically: ``here`` becomes dart 0."""
+    """The quotient ``answer`` in canonical numbering, in which ``here`` is dart 0."""
     order = numbering(answer.sigma, answer.alpha, answer.here)
     number = {q: i for i, q in enumerate(order)}
     return Ambiguous(
@@ -209,11 +214,11 @@ def folding_law(case: Case) -> Violation | None:
 
 
 def invariant_1(case: Case) -> Violation | None:
-    """Require I-1: S is the explored subgraph of the world, in the same cyclic orders.
+    """Require I-1 at every checkpoint: S is the explored subgraph of the world.
 
     That is: :func:`embed` finds an injective function from the darts of S to darts of the world;
-    the images of the darts of a vertex are all darts of a vertex; and every edge of S has been
-    walked along.
+    the images of the darts round a vertex of S are all darts round a vertex of the world, in the
+    same cyclic order; and the robot has walked along every edge of S before the checkpoint.
     """
     for steps, checkpoint in case.checkpoints:
         if broken := _wrong_s(case, steps, checkpoint):
@@ -250,10 +255,12 @@ def _wrong_part(case: Case, steps: int, checkpoint: Checkpoint) -> str | None:
 
 
 def invariant_2(case: Case) -> Violation | None:
-    """Require I-2: U is the set of unexplored darts at the explored vertices.
+    """Require I-2 at every checkpoint: U is the set of unexplored darts at the explored vertices.
 
-    If I-1 holds, S has every dart of each explored vertex.  So only this is checked: no dart in U
-    is alpha(d) of an explored dart d.
+    U is the set of the open darts of S, the darts u with alpha(u) = u.  The function checks only
+    that no such u is alpha(d) for another dart d of S: then u is the other end of an explored edge.
+    If I-1 holds, S has every dart of each explored vertex, so nothing else can break I-2.  Whether
+    I-1 holds is not checked here; that is the law ``invariant-1``.
     """
     for steps, checkpoint in case.checkpoints:
         if broken := _half_entered(checkpoint):
@@ -275,9 +282,9 @@ def _half_entered(checkpoint: Checkpoint) -> str | None:
 
 
 def variant(case: Case) -> Violation | None:
-    """Require that the variant t falls from each checkpoint to the next, and is 0 at the last one.
+    """Require that the variant t is less at each checkpoint than at the one before, and 0 at last.
 
-    t = |E_G| - |E_S| is the number of edges of the world that are not in S.
+    t = |E_G| - |E_S| is the number of edges of the world that are not in the S of the checkpoint.
     """
     previous = None
     for steps, checkpoint in case.checkpoints:
@@ -297,12 +304,16 @@ def variant(case: Case) -> Violation | None:
 
 
 def embed(map_: CombinatorialMap, dart: Dart, checkpoint: Checkpoint) -> list[Dart] | str:
-    """The images of the darts of S, which are darts of the world; or the reason why there are none.
+    """The images of the darts of S, by dart; or the reason in words why there are no images.
 
-    The image of ``here`` is ``dart``, the robot's dart in the world.  The other images follow:
-    image(sigma(d)) = sigma(image(d)), and, unless d is open, image(alpha(d)) = alpha(image(d)).
-    Different darts must have different images.  In an S that breaks I-2, alpha(d) can be an open
-    dart u; then d is also taken as alpha(u).
+    S is the explored part in ``checkpoint``; ``map_`` is the map of the world.  The image of a dart
+    of S is a dart of ``map_``.  The image of the checkpoint's ``here`` is ``dart``, where the robot
+    is in the world.  All other images follow from two rules: image(sigma(d)) = sigma(image(d)); and
+    image(alpha(d)) = alpha(image(d)) unless d is open, which means alpha(d) = d.  Different darts
+    must have different images.
+
+    If S breaks I-2, there are darts d and u with alpha(d) = u, although u is open.  Then d and u
+    count as the two darts of one edge: the second rule also holds for u, as if alpha(u) were d.
 
     Cost: O(|S|).
     """
@@ -333,9 +344,10 @@ def embed(map_: CombinatorialMap, dart: Dart, checkpoint: Checkpoint) -> list[Da
 
 
 def first_wrong(case: Case) -> tuple[int, str] | None:
-    """The index of the first checkpoint that breaks I-1 or I-2, and its fault in words.
+    """The index of the first checkpoint that breaks I-1 or I-2, and the reason in words.
 
-    Return None if no checkpoint breaks I-1 or I-2.
+    The index is that in ``case.checkpoints``.  The result is None if no checkpoint breaks I-1 or
+    I-2.
     """
     for number, (steps, checkpoint) in enumerate(case.checkpoints):
         if broken := _half_entered(checkpoint) or _wrong_s(case, steps, checkpoint):
@@ -352,11 +364,12 @@ Check: TypeAlias = Callable[[Case], Violation | None]
 
 
 MAPS, FOLDS, BOUNDED = "maps", "folds", "bounded"
-"""The conditions under which laws apply.
+"""The conditions under which laws are checked.
 
-``maps``: the task is the map.  ``folds``: the task is the map, each arrival at v0 determines the
-robot's dart, and no promised property, such as planarity, can make an explorer right without
-folding.  ``bounded``: there is a bound on the traversals.
+``maps``: the task is ``map``.  ``folds``: the task is ``map``; the lighthouse is such that each
+arrival at v0 determines the robot's dart; and the class of the worlds promises no property, such as
+planarity, by which an explorer can be right although its log does not determine the map.
+``bounded``: there is a bound on the traversals.
 """
 
 IDLE = {
@@ -376,8 +389,10 @@ class Law(Struct, frozen=True):
 
     Attributes:
         asks: the requirement on an explorer, in a sentence.
-        check: the function that tells whether a run breaks the law.
-        needs: the condition under which the law applies: ``maps``, ``folds`` or ``bounded``.
+        check: the function that returns the violation of the law in a run, or None.
+        needs: the condition under which the law is checked; every law has one.  ``maps``: the task
+            is ``map``.  ``folds``: moreover the log of a correct explorer must determine the map.
+            ``bounded``: there is a bound on the traversals.
     """
 
     asks: str
@@ -400,7 +415,7 @@ LAWS: dict[str, Law] = {
     ),
     "bound": Law("The walk must not cost more than the bound.", bound_law, BOUNDED),
 }
-"""The laws of finished runs, in the order in which they are reported."""
+"""The laws of finished runs: if a run breaks several of these laws, the first one is reported."""
 
 ASKED = {
     "crash": "The explorer must not raise, and its process must not end.",
@@ -415,7 +430,10 @@ ASKED = {
     "task": "The answer and the walk must be what the task asks for.",
     **{name: law.asks for name, law in LAWS.items()},
 }
-"""The requirement of each law on an explorer.  A user can leave out only laws in ``LAWS``."""
+"""For each law the requirement on an explorer, in a sentence.
+
+A user can exclude only laws in ``LAWS`` from a check.
+"""
 
 PRECEDENCE = (*ASKED,)
 """The names of all laws; if a run breaks several laws, the first one is reported."""
@@ -434,8 +452,9 @@ OF_CHECKPOINTS = ("invariant-1", "invariant-2", "variant")
 
 
 def checked_laws(laws: Iterable[str], runs: int, checkpoints: int) -> tuple[str, ...]:
-    """The given laws that were checked in this number of runs, with this number of checkpoints.
+    """The names in ``laws`` of the laws that a check has really checked.
 
+    ``runs`` is the number of the runs, ``checkpoints`` the number of all their checkpoints.
     Without a run no law was checked.  Without a checkpoint the laws about checkpoints were not
     checked.
     """
@@ -445,9 +464,10 @@ def checked_laws(laws: Iterable[str], runs: int, checkpoints: int) -> tuple[str,
 
 
 def first_broken(case: Case, laws: Iterable[Check]) -> Violation | None:
-    """The violation of the first broken law; None if all laws hold.
+    """The violation of the first law that the run breaks; None if all laws hold.
 
-    The law ``ambiguity`` is always checked, because no other law is about an answer without a map.
+    ``laws`` holds the functions of the laws, in the order in which they are checked.  The law
+    ``ambiguity`` is always checked first, because no other law is about an answer without a map.
     Cost: O(m) for each law and checkpoint.
     """
     for check in (ambiguity_law, *laws):
