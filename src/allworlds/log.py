@@ -77,7 +77,7 @@ def choice(index: int, options: int) -> bytes:
 
 
 def shown(sigma: Sequence[int], alpha: Sequence[int], here: int) -> bytes:
-    """The entry of a checkpoint."""
+    """The entry of a checkpoint with these ``sigma``, ``alpha`` and ``here``."""
     return _short(SHOWN, sigma, alpha, here) or (
         bytes((LONG_SHOWN,)) + _numbers(sigma) + _numbers(alpha) + _number(here)
     )
@@ -159,7 +159,7 @@ class Log:
             ``DROPPED``, ``PICKED`` or, for ``Write(k)``, ``WROTE - k``.
         checkpoints: for each checkpoint four values: the number of actions before the checkpoint,
             sigma, alpha, here.
-        choices: for each choice the index of the option.
+        choices: for each choice the index of the option that was taken.
         widths: for each choice the number of options (0: unknown).
         ending: the first byte of the last entry, and the values of this entry.  For FAULT the
             values are the name of the law, the three texts, and whether the machine may be the

@@ -58,7 +58,7 @@ class Outcome(Struct, frozen=True):
 
 
 class Referee:
-    """A referee judges runs by the rules ``rules``; of the explorer, it has only the name."""
+    """A referee judges runs by the rules ``rules``; ``explorer`` is the name of the explorer."""
 
     def __init__(self, explorer: str, rules: Rules) -> None:
         self.explorer = explorer

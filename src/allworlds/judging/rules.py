@@ -379,9 +379,10 @@ class Rules(RuleOptions, kw_only=False):
     def choices(self, name: str, script: Sequence[int] = ()) -> Choices:
         """Return a new :class:`Choices`, which makes the choices of one run by the policy.
 
-        ``name`` is the name of the run (see ``name_run``): under a policy ``random:SEED`` the
-        choices follow from SEED and this name.  ``script`` holds for each of the first choices the
-        index of the option to take; the policy makes all other choices.
+        ``name`` is the name of the run, see :func:`~allworlds.judging.referee.name_run`: under a
+        policy ``random:SEED`` the choices follow from SEED and this name.  ``script`` holds for
+        each of the first choices the index of the option to take; the policy makes all other
+        choices.
         """
         return Choices(policy_named(self.policy, name), script)
 

@@ -51,7 +51,7 @@ def walks_everything(world: World, walk: Walk, _answer: object) -> str | None:
 
 
 def comes_home(world: World, walk: Walk, answer: object) -> str | None:
-    """The fault that the walk does not end at the vertex of the start, or left out vertices.
+    """The fault that the walk ends at another vertex than the start, or that it left out vertices.
 
     The fault is a text; the result is None if the run has neither fault.
     """

@@ -1,4 +1,4 @@
-"""The walk of a run in its world, from which laws, tasks and findings are decided and explained.
+"""The walk of a run in its world: laws, tasks, findings, and explanations in words depend on walks.
 
 Only the method :meth:`~allworlds.world.world.World.step` knows how a robot moves; every step of a
 walk is made by this method.

@@ -40,7 +40,7 @@ DEFAULT_EDGES = 5
 
 
 class MapClass(StrEnum):
-    """A class of maps; the value is its name on the command line."""
+    """A class of maps; the value of a member is the name of the class on the command line."""
 
     MAPS = "maps"
     SIMPLE = "simple"
@@ -436,7 +436,7 @@ class Extent(Struct, frozen=True):
 
     @property
     def levels(self) -> Sequence[int]:
-        """The numbers of edges of the levels, ascending; all maps of a level have as many edges."""
+        """The numbers of edges of the levels, ascending; a level is all maps with one number."""
         if self.given is not None:
             assert self.edges is not None
             return [edges for edges in self.given.starts if edges <= self.edges]

@@ -531,7 +531,8 @@ NARROWED: dict[str, Callable[[str, int], CountSource | None]] = {
     "triangulation": lambda map_class, _: _of_faces(map_class, 3),
     "quadrangulation": lambda map_class, _: _of_faces(map_class, 4),
 }
-"""For each kind of condition a function that returns the source of counts; None if there is none.
+"""For each kind of condition the function that returns the source of counts.
 
-The function takes the name of a class, and the number in the condition's name.
+The function takes the name of a class, and the number in the condition's name.  The function
+returns None if there is no source.
 """

@@ -29,7 +29,8 @@ from allworlds.maps.combinatorial import CombinatorialMap, Dart
 
 Decision: TypeAlias = int
 """A decision about the oldest open dart.  ``z >= 0`` glues the dart to the open dart ``z``;
-``-d`` glues the dart to a new vertex of degree d.  The first decision is the root's degree."""
+``-d`` glues the dart to a new vertex of degree d.  The first decision is ``-d`` for the vertex of
+the root, of degree d."""
 
 
 class Gluing:

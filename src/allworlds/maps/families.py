@@ -332,8 +332,8 @@ def corridor(far: int, degree: int, seed: int) -> CombinatorialMap:
     """A corridor: a row of vertex 0, N near hubs, then F far hubs; all hubs have degree R.
 
     F is ``far``, R is ``degree``, and ``seed`` determines all random choices.  Two edges lead from
-    each vertex of the row to the next vertex; the *type* of a hub determines by which of its darts
-    these edges leave it (see :func:`out_darts`).  The remaining darts of a near hub are joined in
+    each vertex of the row to the next vertex; the *type* of a hub determines by which darts these
+    edges leave the hub (see :func:`out_darts`).  The remaining darts of a near hub are joined in
     random pairs, and so become loops; the remaining darts of all far hubs are joined in random
     pairs, too.  Vertex 0 has the darts 0 and 1; hub l has the R darts from 2 + (l - 1)R on.
     """

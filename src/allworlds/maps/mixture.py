@@ -109,7 +109,10 @@ def bouquet(edges: int, random: Random) -> CombinatorialMap:
 
 
 def thick(edges: int, random: Random) -> CombinatorialMap:
-    """A path with loops at its vertices; all inner vertices have the same degree, 4, 6 or 8."""
+    """A path with loops at its vertices; all inner vertices have the same degree, 4, 6 or 8.
+
+    If ``edges`` is too small for such a path, the map is a :func:`bouquet`.
+    """
     degree = 2 * random.randint(2, 4)
     length = (edges - 2 * ((degree - 1) // 2) + degree // 2 - 1) // (degree // 2)
     return families.thick(degree, length, random) if length > 0 else bouquet(edges, random)
@@ -118,7 +121,8 @@ def thick(edges: int, random: Random) -> CombinatorialMap:
 def corridor(edges: int, random: Random) -> CombinatorialMap:
     """A :func:`~allworlds.maps.families.lollipop`: a path with loops that leads to a random part.
 
-    The path and the random part have vertices of the same degree, 4 or 6.
+    The path and the random part have vertices of the same degree, 4 or 6.  If ``edges`` is too
+    small for such a map, the map is a :func:`bouquet`.
     """
     degree = random.choice((4, 6))
     length = (edges - 1) // degree
@@ -130,7 +134,7 @@ def cover(edges: int, random: Random) -> CombinatorialMap:
 
     Each sheet has a copy of each vertex of the small map.  For each edge of the small map outside a
     spanning tree a random permutation p of the sheets is drawn: the copy of the edge that begins in
-    sheet s ends in sheet p(s).  At last one edge may be removed, contracted, or crossed with
+    sheet s ends in sheet p(s).  Finally one edge may be removed, contracted, or crossed with
     another edge.
     """
 
@@ -147,7 +151,7 @@ def cover(edges: int, random: Random) -> CombinatorialMap:
 def ring(edges: int, random: Random) -> CombinatorialMap:
     """A connected covering of a small map, with the sheets in a ring.
 
-    An edge leads to the same sheet or to a neighbouring sheet.  At last one edge may be removed,
+    An edge leads to the same sheet or to a neighbouring sheet.  Finally one edge may be removed,
     contracted, or crossed with another edge.
     """
 

@@ -150,7 +150,9 @@ def _refuse_loops_and_parallels(graph: nx.Graph) -> None:
 
 
 def from_positions(graph: nx.Graph, pos: Mapping[Any, Sequence[float]]) -> CombinatorialMap:
-    """The map of a drawing with straight lines, which may cross; the genus follows from the order.
+    """The map of a drawing with straight lines, which may cross.
+
+    The clockwise order of the lines round each node is that of the map; the genus follows from it.
 
     Args:
         graph: as in :func:`from_networkx`, without loops and parallel edges.

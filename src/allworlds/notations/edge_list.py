@@ -1,7 +1,8 @@
-"""Tables of edges in CSV: the two ends of each edge, and its rank in clockwise order at each end.
+"""Tables of edges in CSV: the two ends of each edge, and the edge's rank at each end.
 
-The header ``from,to,from_rank,to_rank`` is required; each further line is an edge.  Ranks are
-numbers; the edges at one vertex have different ranks.
+The header ``from,to,from_rank,to_rank`` is required; each further line is an edge.  A rank is a
+number: clockwise round a vertex the edges are in the order of their ranks, all of which are
+different.
 """
 
 import csv
@@ -20,7 +21,11 @@ COLUMNS = ["from", "to", "from_rank", "to_rank"]
 
 
 def read_edge_list(file: IO[bytes]) -> Iterator[tuple[int, Entry]]:
-    """Yield the only world of a table of edges, in a pair with the world's number, 0."""
+    """Yield one pair: the number 0, and the only world of a table of edges.
+
+    Raises:
+        InputError: naming the line, and what is illegal there.
+    """
     rows = csv.reader(io.StringIO(text_of(file.read()), newline=""), strict=True)
     ranks = dict[str, dict[float, int]]()
     try:

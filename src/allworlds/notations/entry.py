@@ -1,4 +1,4 @@
-"""Functions for readers and writers of files: decoding, the place of an error, neighbours."""
+"""Functions for readers and writers of files: decoding, the origin of an error, neighbours."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -10,7 +10,10 @@ from allworlds.world.world import Entry
 
 @contextmanager
 def at(where: str) -> Iterator[None]:
-    """A context in which the message of every :class:`InputError` begins with ``where``."""
+    """A context in which the message of every :class:`InputError` begins with ``where``.
+
+    ``where`` says where in the file the error is, such as ``line 3``.
+    """
     try:
         yield
     except InputError as error:
@@ -33,7 +36,7 @@ def neighbours(entry: Entry) -> list[list[Vertex]]:
     """For each vertex its neighbours, clockwise, for a notation that can express only simple maps.
 
     Raises:
-        InputError: naming a vertex with a loop or parallel edges.
+        InputError: naming the first vertex with a loop or parallel edges.
     """
     at_, alpha = entry.map.vertex_of, entry.map.alpha
     found = [[at_[alpha[dart]] for dart in darts] for darts in entry.map.vertices]

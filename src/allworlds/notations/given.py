@@ -76,7 +76,7 @@ class GivenMap(Struct, frozen=True):
 
 
 class Digest(Struct, frozen=True):
-    """The name of a file of worlds, and the SHA-256 of its content."""
+    """The name of a file of worlds (``plain``), and the SHA-256 of its content (``record``)."""
 
     plain: str
     record: str
@@ -93,13 +93,14 @@ class GivenMaps:
         gate: the reason why the number of the maps cannot be compared with an independent count.
         found: for each map three things: its name for error messages, its key (the number of the
             file, the offset in the file, and the number of the map), and the map.
-        find: the function from a key to the map.
-        codes: the files of the maps.
+        find: the function that returns the map with a key.
+        codes: the digests of the files of the maps; empty for maps that are not from files.
 
     Attributes:
         count: the number of the maps.
         words: the number and the origin of the maps, such as ``3 worlds of plan.json``.
-        starts: for each number of edges, ascending, the number of rooted maps.
+        starts: for each number of edges, ascending, the number of the given rooted maps: a map
+            counts once for each of its starts.
         lighthouse: the kind of lighthouse that the given worlds have; None if they have none.
         fixed: whether each map comes with a single start and a single place of its lighthouse.
 
@@ -149,20 +150,23 @@ class GivenMaps:
     def weights(self, edges: int) -> list[int]:
         """For each piece of the level with ``edges`` edges the number of rooted maps in the piece.
 
-        A piece has :data:`PIECE` maps; the last piece may have fewer.
+        The maps with ``edges`` edges are divided into pieces of :data:`PIECE` maps; the last piece
+        may have fewer.  A map counts once for each of its starts.
         """
         starts = self._at[edges][3::4]
         return [sum(starts[i : i + PIECE]) for i in range(0, len(starts), PIECE)]
 
     def piece(self, edges: int, number: int) -> tuple[GivenMap, ...]:
-        """The maps in the piece with this number of the level with ``edges`` edges."""
+        """The maps in the piece with the number ``number``, from 0 on; all have ``edges`` edges."""
         keys = self._at[edges][4 * PIECE * number : 4 * PIECE * (number + 1)]
         return tuple(map(self._find, keys[::4], keys[1::4], keys[2::4]))
 
     def like(self, world: World) -> Iterator[World]:
         """Yield the given worlds that equal ``world`` up to the numbering of darts.
 
-        The worlds come in the order in which they were given.
+        Each result has the numbering of darts and the labels with which it was given; if it was
+        given without a lighthouse, it gets the lighthouse of ``world``.  The results come in the
+        order in which they were given.
         """
         order = numbering(world.map.sigma, world.map.alpha, world.start)
         edges = world.map.edge_count
@@ -178,13 +182,16 @@ class GivenMaps:
 def held(
     noun: str, of: str, gate: str, maps: Sequence[GivenMap], codes: tuple[Digest, ...] = ()
 ) -> GivenMaps:
-    """The :class:`GivenMaps` of the maps ``maps``, which are kept in memory."""
+    """The :class:`GivenMaps` of the maps ``maps``, which are kept in memory.
+
+    ``noun``, ``of``, ``gate`` and ``codes`` are the arguments of :class:`GivenMaps`.
+    """
     found = ((f"worlds[{i}]", (0, i, i), each) for i, each in enumerate(maps))
     return GivenMaps(noun, of, gate, found, lambda _file, _offset, number: maps[number], codes)
 
 
 def files_of(*names: str) -> tuple[Digest, ...]:
-    """The digests of these files; a file that is named twice has one digest.
+    """The digests of the files with the names ``names``; a file that is named twice has one digest.
 
     Raises:
         InputError: if a file cannot be read; or if a report is being read, and the file has
@@ -204,7 +211,7 @@ def worlds_of_files(codes: tuple[Digest, ...], order: Order | None, y: YAxis | N
     """All worlds of the files ``codes``.
 
     The worlds are not kept in memory: each world is read now, and again when it is needed.
-    ``order`` and ``y`` are the options of :class:`FileOptions`.
+    ``order`` and ``y`` are the options of :class:`FileOptions`, which explains them.
 
     Raises:
         InputError: naming the file, the world in it, and what would be legal.
@@ -233,11 +240,11 @@ def embeddings_of(
     """All embeddings, up to isomorphism, of a graph; or only those of one genus.
 
     Args:
-        graph: the name of the graph, or of a file that holds it.
+        graph: the name of the graph, or of a file that holds the graph.
         codes: the digest of the file; empty for the name of a graph.
         which: ``all``, or ``genus:G`` for the embeddings of genus G.
-        order: that of :class:`FileOptions`.
-        y: that of :class:`FileOptions`.
+        order: the option of :class:`FileOptions`, for the file.
+        y: the option of :class:`FileOptions`, for the file.
 
     Raises:
         InputError: naming an illegal graph, or an illegal ``which``; or if no embedding has the
@@ -279,7 +286,7 @@ def _given(entry: Entry, name: str) -> GivenMap:
 
 
 def _worlds(given: object) -> tuple[Any, ...] | None:
-    """The given names of files, or the given worlds, as a tuple; None for None."""
+    """The names of files, or the worlds, in ``given``, as a tuple; None if ``given`` is None."""
     if given is None:
         return None
     every = [given] if isinstance(given, str | Path) else given
@@ -299,7 +306,12 @@ def _said(meaning: str) -> Any:
 
 
 class FileOptions(Request):
-    """The part of a request with the order of edges in files, and the direction of the y axis."""
+    """The part of a request that says how files of worlds are to be read.
+
+    ``order``: whether a file that lists the edges round a vertex lists them clockwise or
+    anticlockwise; None is clockwise.  ``y``: whether the second coordinate of positions in a file
+    grows upward or downward; None is as usual in the notation of the file.
+    """
 
     order: Annotated[
         Order | None,
@@ -359,10 +371,10 @@ class GivenOptions(FileOptions):
 
     @cached_property
     def given(self) -> GivenMaps | None:
-        """The given worlds; None for the worlds of a class.
+        """The given worlds; None if the request asks for the worlds of a class.
 
         Raises:
-            InputError: naming the file and the place in it, or the option.
+            InputError: naming the file and the world in it that is illegal, or the illegal option.
         """
         order, y, graph, which = self.order, self.y, self.graph, self.embeddings
         if graph is not None and self.worlds is not None:
@@ -397,6 +409,8 @@ class GivenOptions(FileOptions):
 
     def lighthouse_of_given(self, named: Any) -> Any:
         """The kind of lighthouse that the given worlds have; if they have none, the kind ``named``.
+
+        ``named`` is the kind that the request names, or None.
 
         Raises:
             InputError: if the worlds have a lighthouse of another kind than ``named``.

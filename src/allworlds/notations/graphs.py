@@ -1,18 +1,22 @@
 """Graphs in GraphML (of networkx, of yEd), GML and graph6; networkx reads them.
 
-The order of the edges round each vertex follows from a drawing: from straight lines between
-positions, or from the points of a line with bends, by
-:func:`allworlds.maps.networks.from_directions`.  A position is read from ``pos`` (two numbers, or a
-text of two), from ``x`` and ``y``, from ``graphics`` in GML, or as the middle of a box in yEd.  The
-points of a line are read from yEd's ``Path``, from ``Line`` in GML, or from ``geometry``; the line
-leaves a vertex at the side of its box.  Arcs and other curves are refused.  A file is also refused
-if the graph would lack a node or an edge of the file.  Without positions a graph has no order of
-its edges; a search of all embeddings takes such graphs from :func:`named_graph`.
+The order of the edges round each vertex follows from a drawing of the graph, by
+:func:`allworlds.maps.networks.from_directions`.  In the drawing each edge is a straight line
+between the positions of its ends, or a line with bends.  A position is read from ``pos`` (two
+numbers, or a text of two), from ``x`` and ``y``, from ``graphics`` in GML, or as the middle of a
+box in yEd.  The points of a line with bends are read from yEd's ``Path``, from ``Line`` in GML, or
+from ``geometry``.  The direction in which such an edge leaves a vertex is the direction from the
+middle of the vertex's box to the point where the line crosses the side of the box.
 
-The names of the vertices are the labels of the nodes if all labels are different, otherwise the
-ids.  The nodes in a group are vertices; the group itself is ignored.  A directed edge needs the
-reverse edge, too; the two are one edge, unless they have different ids.  yEd calls all edges
-directed; in its files only an edge with an arrow at exactly one end leads one way.
+Arcs and other curves are refused.  A file is also refused if networkx reads another number of nodes
+or edges than the file holds.  A graph without positions has no order of its edges; a search of all
+embeddings takes such graphs from :func:`named_graph`.
+
+The names of the vertices are the labels of the nodes if all nodes have different labels, otherwise
+the ids of the nodes.  The nodes in a group are vertices; the group itself is ignored.  A directed
+edge needs the reverse edge, too; the two become one edge, and are refused if they have different
+ids.  yEd calls all edges directed; in files of yEd only an edge with an arrow at exactly one end
+leads one way, and is refused.
 """
 
 from __future__ import annotations
@@ -47,7 +51,7 @@ Box: TypeAlias = tuple[Point, Point]
 def read_graph(
     make: Callable[[bytes], nx.Graph],
 ) -> Callable[[IO[bytes]], Iterator[tuple[int, Entry]]]:
-    """The function that yields the only world of a file, in a pair with the world's number, 0.
+    """The function that reads a file, and yields one pair: the number 0, and the only world.
 
     ``make`` makes the graph from the content of the file.
     """
@@ -59,9 +63,9 @@ def read_graph(
 
 
 def named_graph(make: Callable[[bytes], nx.Graph], content: bytes) -> nx.Graph:
-    """The graph that ``make`` makes from ``content``; its nodes are the names of the vertices.
+    """The graph that ``make`` makes from ``content``, the content of a file.
 
-    ``content`` is the content of a file.
+    The nodes of the result are the names of the vertices.
 
     Raises:
         InputError: if the content is no graph.
@@ -280,7 +284,7 @@ def _not_read(ends: str) -> InputError:
 
 
 def _ensure_differ(ids: Iterable[object]) -> None:
-    """Refuse nodes with equal ids."""
+    """Raise InputError if two nodes have the same id; ``ids`` holds the ids of all nodes."""
     for each, number in Counter(ids).items():
         if number > 1:
             raise InputError(f"{number} nodes have the id {show(each)}; each has one of its own")

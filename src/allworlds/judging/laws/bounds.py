@@ -69,8 +69,8 @@ class Bound:
 
     Attributes:
         name: the name that the user gives.
-        value: the function of n, m, d0, D, d and g, as :func:`bound_named` names them; it returns
-            None if there is no bound.
+        value: the function from n, m, d0, D, d and g, which :func:`bound_named` explains, to the
+            largest number of traversals that the bound allows; or to None if there is no bound.
         variables: the names of those variables on which the value depends.
     """
 

@@ -13,7 +13,7 @@ from allworlds.protocol.actions import Move, Percept, Transcript
 
 
 class Contradiction(ValueError):
-    """Raised if no world with a directional lighthouse has this log."""
+    """Raised for a log that a run in no world with a directional lighthouse can have."""
 
 
 class Folded(Struct, frozen=True):

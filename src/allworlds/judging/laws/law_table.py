@@ -3,8 +3,8 @@
 A new law needs a function of a :class:`Case` (a run together with its world), and an entry in
 ``LAWS``.  The function of a law returns the violation, or None if the law holds.  ``ASKED`` holds
 for every law a sentence about what an explorer must do; for a law in ``LAWS`` this sentence is
-copied from ``LAWS``.  A law outside ``LAWS``, such as ``timeout``, which ends a run early, has only
-an entry in ``ASKED``.
+copied from ``LAWS``.  A law outside ``LAWS``, such as ``timeout``, which ends a run early, has its
+entry in ``ASKED`` alone.
 
 For the laws about checkpoints :func:`embed` finds the image of each dart of S, the explored part in
 a checkpoint: the image is a dart of the world.  The image of the checkpoint's ``here`` is the dart
@@ -282,7 +282,7 @@ def _half_entered(checkpoint: Checkpoint) -> str | None:
 
 
 def variant(case: Case) -> Violation | None:
-    """Require that the variant t is less at each checkpoint than at the one before, and 0 at last.
+    """Require that the variant t is less from checkpoint to checkpoint, and 0 at the last one.
 
     t = |E_G| - |E_S| is the number of edges of the world that are not in the S of the checkpoint.
     """
@@ -304,7 +304,7 @@ def variant(case: Case) -> Violation | None:
 
 
 def embed(map_: CombinatorialMap, dart: Dart, checkpoint: Checkpoint) -> list[Dart] | str:
-    """The images of the darts of S, by dart; or the reason in words why there are no images.
+    """The images of the darts 0, 1, ... of S; or the reason in words why there are no images.
 
     S is the explored part in ``checkpoint``; ``map_`` is the map of the world.  The image of a dart
     of S is a dart of ``map_``.  The image of the checkpoint's ``here`` is ``dart``, where the robot
