@@ -3,25 +3,29 @@
 Each group of lines of the paper's Algorithm 1 is a function.  The docstrings keep the paper's
 names: S and U are the explored part and its open darts; e is the dart of U that is explored now,
 v_k its known end and v_u its unknown end; H holds the hypotheses, e' is one of them, at the vertex
-v_k'; M are the motions of a test, P the percepts that it expects.
+v_k'; M are the motions of a test, P the percepts that the test expects.  A dart *of entry* is the
+dart by which the robot has arrived.  In variants without a direction a test ends with a *query* at
+v0: the robot goes out by one dart and straight back, to learn by which dart it had come to v0.
 
-Each decision that the paper leaves open is a choice:
+Each decision that the paper leaves open is a choice; the *order of S* is the order in which the
+darts came into S, which is also that of their numbers:
 
 ``edge``
-    The dart that leaves U (line 3). Options: U in the order in which its darts came into S;
-    cost: the length of the shortest walk in S to the dart's vertex.
+    The dart that leaves U (line 3). Options: U in the order of S; cost: the length of the shortest
+    walk in S to the dart's vertex.
 ``transit``
     The simple path in S to v_k (line 4), one dart at a time.
 ``hypothesis``
     The hypothesis that leaves H (line 8).  Options: H in the order of S; cost: the length of
-    the shortest path to v0.
+    the shortest path from the hypothesis to v0.
 ``path``
     The simple path in S from v_k' to v0 (line 9), one dart at a time.
 
 The options of ``transit`` and ``path`` are the darts from which the robot can still reach the goal
-without entering a vertex twice.  They are sorted by the length of the way from the dart to the
-goal, and then in the order of S.  The cost of an option is the length of that way.  So each simple
-path is one sequence of choices; if the first option is always taken, the path is a shortest one.
+without entering a vertex twice.  The options are sorted by the length of the shortest such way that
+begins with the dart; options with equal lengths are in the order of S.  The cost of an option is
+this length.  So each simple path is one sequence of choices; if the first option is always taken,
+the path is a shortest one.
 """
 
 from collections.abc import Callable, Generator, Iterator, Sequence
@@ -67,7 +71,7 @@ class PartialMap:
             self.expected = [Percept(degree, marks, (bearing - d) % degree) for d in range(degree)]
 
     def offset(self, start: int, end: int) -> int:
-        """The ``k`` with ``sigma^k(start) == end``, for two darts of one vertex."""
+        """The ``k``, from 0 on, with ``sigma^k(start) == end``, for two darts of one vertex."""
         return (end - start) % self.expected[start].degree
 
     def turn(self, dart: int, offset: int) -> int:
@@ -76,22 +80,23 @@ class PartialMap:
         return first + (dart - first + offset) % self.expected[dart].degree
 
     def add_vertex(self, dart: int, percept: Percept) -> int:
-        """Lines 20-21: add a vertex behind the explored ``dart``; return its first dart.
+        """Lines 20-21: add a vertex behind ``dart``; return the first dart of the new vertex.
 
-        The other darts of the vertex join U.
+        ``percept`` is the robot's percept there.  ``dart`` leaves U, and all darts of the new
+        vertex but the first one join U.
         """
         entry = self._add_vertex(percept)
         self.add_loop(dart, entry)
         return entry
 
     def add_loop(self, dart: int, partner: int) -> None:
-        """Lines 18-19: join the explored ``dart`` to ``partner``, which leaves U."""
+        """Lines 18-19: join ``dart`` and ``partner`` to one edge; both darts leave U."""
         self.alpha[dart], self.alpha[partner] = partner, dart
         self.unexplored.remove(dart)
         self.unexplored.remove(partner)
 
     def ways(self, vertex: int) -> Iterator[tuple[int, int]]:
-        """Yield the explored darts of a vertex, clockwise, each with the vertex behind it."""
+        """Yield the darts of a vertex that are not open, clockwise, each with the vertex behind."""
         first = self.first[vertex]
         for dart in range(first, first + self.expected[first].degree):
             other = self.alpha[dart]
@@ -101,8 +106,8 @@ class PartialMap:
     def distances(self, goal: int, avoiding: Sequence[int] = ()) -> dict[int, int]:
         """For each vertex the length of a shortest walk in S to ``goal``.
 
-        The walks do not enter the vertices of ``avoiding``.  A vertex from which no such walk leads
-        to ``goal`` is missing in the result.
+        The walks neither begin in nor enter the vertices of ``avoiding``.  A vertex from which no
+        such walk leads to ``goal`` is missing in the result.
         Cost: O(m).
         """
         length = {goal: 0}
@@ -137,7 +142,9 @@ class PartialMap:
 class Lazy(Sequence[int]):
     """A sequence of integers that is computed only when a policy reads it.
 
-    The first integer may be known already; then reading it does not compute the others.
+    Args:
+        compute: the function that returns all integers of the sequence.
+        first: the first integer, if it is known already; it is then read without ``compute``.
     """
 
     def __init__(self, compute: Callable[[], list[int]], first: int | None = None) -> None:
@@ -157,7 +164,10 @@ class Lazy(Sequence[int]):
 
 
 def walks(s: PartialMap, start: int, darts: list[int]) -> Lazy:
-    """For each dart the length of a shortest walk in S from the vertex ``start`` to its vertex."""
+    """For each of ``darts`` the length of a shortest walk in S from ``start`` to the dart's vertex.
+
+    ``start`` is a vertex.
+    """
 
     def compute() -> list[int]:
         lengths = s.distances(start)
@@ -169,7 +179,11 @@ def walks(s: PartialMap, start: int, darts: list[int]) -> Lazy:
 def simple_path(
     s: PartialMap, start: int, goal: int, choices: Choices, kind: ChoiceKind
 ) -> Iterator[int]:
-    """Yield the darts by which a simple path from ``start`` to ``goal`` leaves its vertices."""
+    """Yield the darts by which a simple path from ``start`` to ``goal`` leaves its vertices.
+
+    ``start`` and ``goal`` are vertices of S.  Each dart is a choice of the kind ``kind``, which is
+    ``transit`` or ``path``.
+    """
     vertex = start
     visited: list[int] = []
     lengths = s.distances(goal) if start != goal else {}
@@ -184,11 +198,18 @@ def simple_path(
 def _next_darts(
     s: PartialMap, goal: int, visited: list[int], lengths: dict[int, int]
 ) -> tuple[Lazy, Lazy]:
-    """The options for the next dart of a path, and for each the length of the way to the goal.
+    """The options for the next dart of a simple path, and for each the length of the way from it.
 
-    ``visited`` holds the vertices of the path so far, and ``lengths`` the distance of each vertex
-    to the goal.  If the path so far is a shortest one, the first option is the first dart that
-    leads nearer to the goal; the other options are computed only when a policy reads them.
+    The way from a dart leads to the vertex ``goal``, and does not enter the path so far.  If the
+    path so far is a part of a shortest path, the first option is known without the others: the
+    first dart, clockwise, that leads nearer to the goal.  The others are then computed only when a
+    policy reads them.
+
+    Args:
+        s: the map S.
+        goal: the vertex where the path ends.
+        visited: the vertices of the path so far.
+        lengths: for each vertex of S its distance to ``goal``.
     """
     vertex = visited[-1]
 
@@ -220,13 +241,13 @@ def algorithm1(
 
     Args:
         first: the percept at v0 before any motion; it has a bearing.
-        choices: the answers to all choices that the docstring of this module lists (default: first
-            in, first out).
+        choices: the object that makes all choices that the docstring of this module lists
+            (default: first in, first out).
         notice: the function that gets the name of each event.  ``case-1``, ``case-2``, ``case-3``:
-            a test fails before its last motion, fails after it, or succeeds.  ``v0-hypothesis``: a
-            test at v0, without a motion.  ``empty-H``: there is no hypothesis.  ``loop`` and
-            ``non-loop``: S has grown by an edge alone, or by a vertex.  The function has no
-            influence on the walk.
+            a test fails before its last motion, fails after its last motion, or succeeds.
+            ``v0-hypothesis``: a hypothesis at v0 is tested, which needs no motion along a path.
+            ``empty-H``: a pass has no hypothesis.  ``loop`` and ``non-loop``: S has grown by an
+            edge alone, or by a vertex.  The function has no influence on the walk.
 
     Cost: at most (1) + (2) traversals, by the formulas (1) and (2) of the paper's Section VI.
     Source: Algorithm 1, Section IV.
@@ -240,10 +261,15 @@ class Algorithm1:
     Attributes:
         s: the map S with its open darts U.
         here: the robot's dart in S; only meaningful between two passes.
-        turned: the number of darts, clockwise, from the robot's dart of entry to the dart at which
-            it stands; usually 0.  But after a rejected test the robot is back at v_u, and after a
-            query (in a variant) it is back at v0.  There it stands at the dart by which it had
-            left, and its dart of entry is still that of its arrival before the test or the query.
+        turned: 0, except after a rejected test and, in a variant, after a query.  Then the robot
+            has left v_u, or v0, by some dart, and has come back by the same dart.  The motions of
+            the algorithm still count from the dart by which the robot had come to this vertex
+            before; ``turned`` is the number of darts, clockwise, from this earlier dart to the one
+            at which the robot stands now, and is subtracted from the next motion of the pass.
+
+    Args:
+        first: the percept at v0 before any motion.
+        choices, notice: as in :func:`algorithm1`.
     """
 
     def __init__(
@@ -292,15 +318,19 @@ class Algorithm1:
         return (yield Move(s.offset(at, goal)))
 
     def hypotheses(self, goal: int, percept: Percept) -> list[int]:
-        """Line 6: H, the darts in U, except ``goal``, by which a robot arrives with this percept.
+        """Line 6: H, the darts of U, except e, by which a robot arrives with this percept.
 
-        At v0 the percept includes the direction.  So a hypothesis at v0 needs no further test.
+        ``goal`` is the dart e, and ``percept`` is the robot's percept at v_u.  At v0 a percept
+        includes the bearing, so a hypothesis at v0 needs no further test.
         """
         s = self.s
         return [d for d in s.unexplored if d != goal and s.expected[d] == percept]
 
     def test_all(self, hypotheses: list[int]) -> Stage[int | None]:
-        """Lines 7-17: test the hypotheses in turn; return the confirmed one, e', or None."""
+        """Lines 7-17: test the hypotheses in turn; return the confirmed hypothesis e', or None.
+
+        Tested hypotheses are removed from the list ``hypotheses``.
+        """
         self.turned = 0
         while hypotheses:
             cost = walks(self.s, 0, hypotheses)
@@ -321,7 +351,7 @@ class Algorithm1:
     def confirmed_at(self, partner: int, path: list[int]) -> int:
         """The robot's dart in S, a dart of v0, after a test that has confirmed a hypothesis.
 
-        This is case (3) of the paper: all percepts of the test were the expected ones.
+        This is case (3) of the paper: each percept of the test was the expected one.
 
         Args:
             partner: the confirmed hypothesis e', the dart by which the robot came to v_u.
@@ -333,18 +363,21 @@ class Algorithm1:
     def path_to_v0(self, partner: int) -> list[int]:
         """Line 9: the darts by which a simple path in S from v_k' to v0 leaves its vertices.
 
-        v_k' is the vertex of the hypothesis ``partner``; the list is empty if it is v0.
+        v_k' is the vertex of the hypothesis ``partner``; if v_k' is v0, the list is empty.
         """
         return list(simple_path(self.s, self.s.vertex[partner], 0, self.choices, "path"))
 
     def try_path(self, partner: int, path: list[int]) -> Stage[tuple[list[int], bool]]:
-        """Lines 10-13: execute the motions M as long as the percepts are the expected ones, P.
+        """Lines 10-13: execute the motions M as long as each percept is the expected one of P.
 
-        M leads along ``path`` if the robot has come to v_u by the hypothesis ``partner``.
+        Args:
+            partner: the tested hypothesis: the motions M are right if the robot has come to v_u by
+                this dart.
+            path: the darts of S by which M leads from v_k' to v0, see :meth:`path_to_v0`.
 
         Returns:
-            The executed motions, each counted from the dart of entry at its vertex, and whether all
-            percepts were the expected ones.
+            The executed motions, each counted from the dart of entry at the vertex that the motion
+            leaves, and whether each percept was the expected one.
         """
         s, at = self.s, partner
         motions: list[int] = []
@@ -361,10 +394,10 @@ class Algorithm1:
     def retrace(self, motions: list[int]) -> Stage[None]:
         """Line 15: undo the motions ``k1..kr`` of a rejected test; the robot is then back at v_u.
 
-        The robot undoes them by the motions ``-turned, -kr, ..., -k2``.  Here ``turned`` is 0,
-        unless a query (in a variant) came last.  At v_u the robot stands at the dart by which it
-        had left, ``k1`` darts from its dart of entry; so the new value of ``turned`` is ``k1``,
-        and the next motion takes this turn into account.  Without motions nothing changes.
+        The robot undoes them by ``Move(-turned)``, ``Move(-kr)``, ..., ``Move(-k2)``.  The
+        attribute ``turned`` is 0 before, unless a query (in a variant) came last.  Afterwards the
+        robot stands at the dart by which it had left v_u, ``k1`` darts clockwise from its dart of
+        entry there; so ``turned`` is then ``k1``.  If ``motions`` is empty, nothing changes.
         """
         back = -self.turned
         for motion in reversed(motions):
@@ -373,7 +406,10 @@ class Algorithm1:
         self.turned = -back
 
     def augment_by_vertex(self, goal: int, percept: Percept) -> None:
-        """Lines 20-21: add v_u to S as a new vertex, whose first dart is the dart of entry."""
+        """Lines 20-21: add v_u to S as a new vertex, whose first dart is the dart of entry.
+
+        ``goal`` is the dart e, which leads to v_u, and ``percept`` is the percept at v_u.
+        """
         entry = self.s.add_vertex(goal, percept)
         self.here = self.s.turn(entry, self.turned)
 
@@ -398,15 +434,15 @@ class Algorithm1:
 # is proved in proofs/coq (TwoVertices).
 
 Recognised: TypeAlias = Callable[[Percept], bool]
-"""The function that tells whether a percept is a percept of a certain vertex."""
+"""A function that tells whether a percept is one of a certain vertex, such as v1."""
 
 
 def algorithm1_cluster(
     first: Percept, *, choices: Choices | None = None, notice: Callable[[str], None] = nobody
 ) -> Stage[Estimate]:
-    """Explore from a marker cluster: one marker lies at v0, two at v1.
+    """Explore from a marker cluster: one marker lies at v0, two at its neighbour v1.
 
-    Choices and events are those of Algorithm 1.
+    The arguments, choices and events are those of :func:`algorithm1`.
 
     Cost: at most (1) + (2) traversals (see :func:`algorithm1`), 2 more for each test, and 2 deg(v0)
     more for the search of v1.
@@ -425,7 +461,8 @@ def algorithm1_natural(
 ) -> Stage[Estimate]:
     """Explore from a natural lighthouse: no other vertex has the degree of v0, or that of v1.
 
-    The explorer is told the degree of v1; choices and events are those of Algorithm 1.
+    ``told`` is the degree of v1, which the explorer learns before the start.  The other arguments,
+    the choices and the events are those of :func:`algorithm1`.
 
     Cost: the same as that of :func:`algorithm1_cluster`.
     """
@@ -439,7 +476,7 @@ class TwoVertices(Algorithm1):
 
     Attributes:
         is_v0, is_v1: the functions that recognise percepts of v0, and of v1.
-        pointed: the dart of v0 that leads to v1, in S; known after the search.
+        pointed: the dart of S that leads from v0 to v1; known after :meth:`search`.
     """
 
     def __init__(
@@ -463,7 +500,8 @@ class TwoVertices(Algorithm1):
         """Try the darts of v0, clockwise from the dart faced at the start, until one leads to v1.
 
         If no dart leads to v1, the lighthouse has broken its promise.  Then the explorer takes the
-        last dart, and every test fails: its query at v0 (see :meth:`try_path`) does not reach v1.
+        last dart for the one to v1, and every test fails, because its query at v0 (see
+        :meth:`try_path`) does not reach v1.
         """
         for dart in list(self.s.unexplored):
             seen = yield Move(dart - self.here)
@@ -473,18 +511,19 @@ class TwoVertices(Algorithm1):
                 return
 
     def reads(self, percept: Percept) -> Percept:
-        """The percept that tests compare: the degree, and one mark at v0, no mark elsewhere."""
+        """The percept that tests compare instead: the degree, and one mark for a percept of v0."""
         return Percept(percept.degree, int(self.is_v0(percept)))
 
     def try_path(self, partner: int, path: list[int]) -> Stage[tuple[list[int], bool]]:
         """Lines 10-13, and then the *query* at v0: leave by the dart that should lead to v1.
 
         At the other end of this dart the robot senses whether it is at v1.  Then it comes back to
-        v0, where it stands at the dart by which it had left.
+        v0, where it stands at the dart by which it had left.  The arguments are those of
+        :meth:`Algorithm1.try_path`.
 
         Returns:
-            The executed motions without those of the query, and whether all percepts were the
-            expected ones, also the percept of the query.
+            The executed motions without those of the query, and whether each percept was the
+            expected one, including the percept of the query.
         """
         motions, matched = yield from super().try_path(partner, path)
         if matched:
@@ -496,5 +535,9 @@ class TwoVertices(Algorithm1):
         return motions, matched
 
     def confirmed_at(self, partner: int, path: list[int]) -> int:  # noqa: ARG002  # any path
-        """The dart of v0 that leads to v1; by this dart the robot has come back from the query."""
+        """The robot's dart in S after a test that has confirmed a hypothesis.
+
+        Such a test ends with the query, see :meth:`try_path`: the robot went from v0 to v1 and
+        back.  So the result is the dart of v0 that leads to v1, for any ``partner`` and ``path``.
+        """
         return self.pointed

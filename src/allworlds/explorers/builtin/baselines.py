@@ -11,10 +11,11 @@ In a simple world the answer is right.  With parallel edges, or two loops at a v
 validation can find a wrong dart.  A better explorer would not help: markers without a direction,
 however many the robot can drop, do not show how two loops at a vertex lie.
 
-The source leaves three points open; this module decides them so.  The dart that leaves U is a
-choice (``edge``).  The candidates are visited in the order of a depth-first walk of a spanning tree
-of S, because the bound requires it.  The open darts of the vertex where the marker was are tried
-clockwise from the dart of entry.
+The source leaves three points open; this module decides them so.  The dart that the next pass
+explores is a choice (``edge``).  The vertices that the unknown end could be are visited in the
+order of a depth-first walk of a spanning tree of S: in another order the walk could be longer than
+the cost that the docstring of :func:`dudek91` names.  The open darts of the vertex where the marker
+was are tried clockwise from the dart by which the robot arrived there.
 """
 
 from collections.abc import Callable
@@ -30,9 +31,14 @@ def dfs(
     """Explore depth first under the lighthouse ``labels``.
 
     Each vertex shows its number, and the bearing of its reference dart.  The number identifies the
-    vertex, and the bearing identifies the dart of entry.  The choice ``edge`` is the
-    open dart by which the robot leaves a vertex.  The events ``known`` and ``unknown`` tell whether
-    the vertex beyond a dart was known before.
+    vertex, and the bearing identifies the dart by which the robot arrived.
+
+    Args:
+        first: the percept at the start.
+        choices: the object that makes the choices (default: first in, first out).  Each choice is
+            of the kind ``edge``: the open dart by which the robot leaves a vertex.
+        notice: the function that gets an event after each traversal of an open dart: ``known`` or
+            ``unknown``, which tells whether the vertex at its other end was known before.
 
     Cost: at most 2m traversals: each edge is walked once, and at most once back.
     """
@@ -78,7 +84,12 @@ def dudek91(
 ) -> Stage[Estimate]:
     """Explore a simple world with one marker, which the robot can drop and take up again.
 
-    The events ``new-vertex`` and ``back-link`` are the two ways in which a pass can end.
+    Args:
+        first: the percept at the start.
+        choices: the object that makes the choices of the kind ``edge``, see the docstring of this
+            module (default: first in, first out).
+        notice: the function that gets an event in each pass: ``new-vertex`` if the unknown end is a
+            new vertex, ``back-link`` if it is a vertex of S.
 
     Cost: in a simple world at most ``3s`` traversals for a vertex that is found when s vertices are
     known, and ``5n + 2D - 4`` for every other edge, where D is the largest degree: O(mn).
@@ -87,7 +98,14 @@ def dudek91(
 
 
 class _Dudek:
-    """The state of an exploration: S with U, the robot's dart in it, and the last percept."""
+    """One exploration by :func:`dudek91`, with its state.
+
+    Attributes:
+        s: the map S with its open darts U.
+        here: the robot's dart in S.
+        seen: the newest percept that was kept; its marks tell whether the marker lies there.
+        choices, notice: as in :func:`dudek91`.
+    """
 
     def __init__(self, first: Percept, choices: Choices, notice: Callable[[str], None]) -> None:
         self.s = PartialMap(first)
@@ -132,14 +150,15 @@ class _Dudek:
             self.here = s.alpha[dart]
 
     def leave_by(self, dart: int) -> Stage[None]:
-        """Leave through a dart of the robot's vertex; ``here`` is not changed."""
+        """Leave by a dart of the robot's vertex; set ``seen``, but do not change ``here``."""
         self.seen = yield Move(self.s.offset(self.here, dart))
 
     def candidates(self, explored: int, beyond: Percept) -> list[int]:
         """The vertices of S that the unknown end of the dart ``explored`` could be.
 
-        They have the degree of ``beyond``, the percept at the unknown end, and an open dart other
-        than ``explored``.  They are in the order of a depth-first search.
+        Each of these vertices has an open dart other than ``explored``, and the degree of
+        ``beyond``, which is the percept at the unknown end.  The vertices are in the order of a
+        depth-first search in S that begins at the vertex of ``explored``.
         """
         s = self.s
         possible = {
@@ -157,11 +176,12 @@ class _Dudek:
         return [vertex for vertex in order if vertex in possible]
 
     def close(self, dart: int) -> Stage[None]:
-        """Find the other dart of the explored edge by back-link validation, and join both darts.
+        """Find the other dart of the edge of ``dart`` by back-link validation, and join both darts.
 
-        The robot stands at the vertex where it has found the marker.  It carries the marker to the
-        known end of ``dart`` and goes back.  Then it tries the open darts of the vertex until one
-        leads to the marker; if all others fail, the last one is the other dart.
+        ``dart`` is the dart that this pass explores.  The robot stands at the vertex where it has
+        found the marker.  It carries the marker to the known end of ``dart`` and goes back.  Then
+        it tries the open darts of the vertex until one leads to the marker.  If no other open dart
+        does, the last one is taken for the other dart of the edge.
         """
         s = self.s
         vertex = s.vertex[self.here]

@@ -1,10 +1,10 @@
 """An explorer for a robot that starts anywhere: it looks for v0, and starts another explorer there.
 
 A word is a sequence of motions.  The explorer tries all words, shorter ones first, and words of one
-length in lexicographic order.  Before the next word the robot goes back only to the point from
-which the two words differ.  The robot knows the way back without a map: at each vertex it tries the
-darts clockwise, from the dart by which it arrived on; after the last one, the next dart clockwise
-is again the dart by which it arrived.
+length in lexicographic order.  Before the next word the robot goes back only to the vertex at which
+the two words begin to differ.  The robot knows the way back without a map: at each vertex it tries
+the darts clockwise, and begins with the dart by which it arrived; after the last dart, the next one
+clockwise is again the dart by which it arrived.
 
 Cost of the search: less than 8 D^d traversals, for the distance d to v0 and the largest degree
 D > 1, because all words of up to L motions cost at most T(L) = D (2 + T(L - 1)) < 4 D^L.
@@ -31,12 +31,18 @@ class FromElsewhere:
         self.__signature__ = signature_of(explorer)
 
     def __call__(self, first: Percept, **keywords: Any) -> Stage[Any]:
-        """Find v0, the vertex where one mark is sensed, and start the other explorer there."""
+        """Find v0, the vertex where one mark is sensed, and start the other explorer there.
+
+        ``first`` is the percept at the start, and ``keywords`` are passed to the other explorer.
+        """
         seen = first if first.marks == 1 else (yield from self.search(first))
         return (yield from self.explorer(seen, **keywords))
 
     def search(self, first: Percept) -> Stage[Percept]:
-        """Walk to v0 by trying words of up to 1, 2, 3 ... motions; return the percept at v0."""
+        """Walk to v0 by trying words of up to 1, 2, 3 ... motions; return the percept at v0.
+
+        ``first`` is the percept at the start.
+        """
         due = 0
         for longest in count(1):
             found, due = yield from self.tried(first.degree, longest, due)
@@ -47,15 +53,18 @@ class FromElsewhere:
     def tried(self, degree: int, longest: int, due: int) -> Stage[tuple[Percept | None, int]]:
         """Try every word of up to ``longest`` motions from the robot's vertex.
 
+        The first dart to try is the dart by which the robot came to this vertex, or, at the start
+        of the run, the dart that it faced.
+
         Args:
             degree: the degree of the vertex.
-            longest: the largest number of motions.
-            due: the ``k`` of the robot's next motion ``Move(k)``.
+            longest: the largest number of motions; 0: try nothing.
+            due: the ``k`` by which ``Move(k)`` leaves by the first dart to try.
 
         Returns:
             If a word leads to v0: the percept at v0, where the robot then is, and 0.  Otherwise
-            None, and a number k.  The robot is then back at its vertex, and ``Move(k)`` leaves by
-            the dart by which it had come to this vertex, or which it faced at the start.
+            None, and the new value of ``due``: the robot is then back at its vertex, and ``Move``
+            with this number again leaves by the first dart to try.
         """
         for _ in range(degree if longest else 0):
             seen = yield Move(due)

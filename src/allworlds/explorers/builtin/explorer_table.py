@@ -47,13 +47,14 @@ class BuiltIn(Struct, frozen=True):
             and has no influence.  It may also take ``told``.
         lighthouse: the explorer's kind of lighthouse, in the form ``KIND[:key=value,...]``.
         witnesses: the events that must occur in a complete check.  Each event has two entries: one
-            for classes with loops and parallel edges, one for simple classes.  An entry is a pair:
-            under every policy, a check of all worlds with at most this number of edges and at most
-            this number of vertices meets the event.  These are the smallest such numbers that are
-            known.  A check of these worlds that does not meet the event has left out a branch of
-            the algorithm.  The entry is None if the event never occurs under some policy.
+            for classes of maps with loops and parallel edges, one for simple classes.  An entry is
+            a pair, a number of edges and a number of vertices: under every policy the event occurs
+            in a check of all worlds that have at most so many edges and vertices.  These are the
+            smallest such numbers that are known.  If the event does not occur in such a check, the
+            check has left out a branch of the algorithm.  The entry is None if the event never
+            occurs under some policy.
         bound: the name of the bound that the explorer keeps under its kind of lighthouse; None if
-            it is the lighthouse's own bound.
+            this bound is the default bound of the lighthouse.
         step_budget: the largest legal number of traversals, if the usual budget is too small.
         about: a description, for a sentence of the page on the protocol.
     """

@@ -3,16 +3,21 @@
 All percepts of a robot with a directional lighthouse form one map, the folded log.  Each motion
 through an open dart makes a new *node*, a copy of the vertex of arrival.  If an arrival at v0 shows
 that two nodes are one vertex, the nodes are merged.  Then the nodes to which their equal darts lead
-are merged, because a dart leads to only one dart.  So the folded log is a part of every world that
-agrees with the log.  A folded log without an open dart is the world.  So if an explorer takes its
-answer from such a folded log, the answer is right, whatever the explorer's walk.
+are merged, because a dart leads to only one dart.  When two nodes are merged, one of them remains;
+the other node, with its darts, only stands for the node that remains.  A node that has not been
+merged into another one, and each dart of such a node, is called *canonical*.
+
+So the folded log is a part of every world that agrees with the log.  A folded log without an open
+dart is the world.  So if an explorer takes its answer from such a folded log, the answer is right,
+whatever the explorer's walk.
 
 An explorer by the folded log has a rule that chooses the next open dart.  The exploration ends if
-the rule is fair, that is, if no dart stays open for ever.  For in the world some path leads from
-the vertex of each node to v0.  By a fair rule, every dart of this path finally gets a known other
-end in the log, from each copy of the vertex; then the path leads from each copy to the same dart of
-v0, so the copies are merged.  The rule that always chooses the open dart nearest to the robot is
-not fair: the robot can walk on for ever, from one copy of a vertex to the next.
+the rule is fair, that is, if no dart stays open for ever.  Proof: let several nodes be copies of
+one vertex.  In the world some path leads from this vertex to v0.  By a fair rule the log finally
+holds this path from each of the nodes, with known ends of all its darts.  From each node the path
+comes to the same dart of v0, so the nodes are merged.  The rule that always chooses the open dart
+nearest to the robot is not fair: the robot can walk on for ever, from one copy of a vertex to the
+next.
 
 The *shield* makes any explorer right in every world under the directional lighthouse.  Two
 *guests*, the explorer and Algorithm 1, take turns with budgets 1, 2, 4, ...: in its turn a guest
@@ -24,11 +29,13 @@ When a guest goes through an open dart, the robot walks to this dart by a shorte
 and goes through it, too.
 
 Cost: less than 9 min(X, (1) + (2)) traversals, where X is the number of traversals of the explorer
-until its own log has no open dart, and (1) + (2) is the paper's bound on Algorithm 1.  Proof: at
-the beginning of each turn the robot could walk back to v0 along the walk of the guest of the turn
-before, and then repeat the walk of the guest whose turn it is.  So before the turn with the budget
-2^k it walks at most 2 (1 + 2 + ... + 2^(k-1)) < 8 * 2^(k-2) traversals.  A guest that needs this
-turn needs more than 2^(k-2) traversals, the budget of its turn before.
+until its own log has no open dart, and (1) + (2) is the paper's bound on Algorithm 1.  Proof: in a
+turn with the budget b the robot could walk from v0 along the whole walk of the turn's guest, at
+most b traversals, and before the next turn back to v0, at most b again; the shortest ways that the
+robot takes instead are not longer.  So all turns before the turn with the budget 2^k together cost
+at most 2 (1 + 2 + ... + 2^(k-1)) < 8 * 2^(k-2) traversals.  Let the log have no open dart after x
+traversals of the guest of this turn.  Then x > 2^(k-2), the budget of the guest's turn before, and
+the robot makes at most x traversals in this turn: less than 8x + x together.
 """
 
 from bisect import insort
@@ -44,25 +51,30 @@ from allworlds.protocol.choices import Choices
 from allworlds.protocol.importing import signature_of
 
 OPEN = -1
-"""The entry for the unknown other end of a dart."""
+"""The number that stands for the unknown other end of an open dart."""
 
 
 class FoldedLog:
     """A folded log: nodes that are merged as soon as they must be one vertex.
 
     The darts of a node are consecutive and clockwise.  Node 0 is v0; the marker points to dart 0.
-    Nodes are merged by union-find with offsets.  A dart or node is *canonical* if the node has not
-    been merged into another node.
+    Nodes are merged by union-find with offsets.  The docstring of this module says what a
+    *canonical* node or dart is.
 
     Attributes:
-        node: for each dart its original node.
+        node: for each dart the node with which the dart was made.
         base, degree: for each node its first dart, and its number of darts.
         stands: for each node the dart with which the node's first dart was merged; for a canonical
             node the first dart itself.
-        known: for each canonical node its darts with a known other end, ascending.
-        merges: the number of merged nodes.
+        known: for each canonical node its darts with a known other end, ascending; for other nodes
+            an empty list.
+        merges: the number of nodes that have been merged into other nodes.
 
-    Cost: nearly constant for a step, except that a merged node passes on its known darts.
+    Args:
+        first: the percept at the start.
+
+    Cost: nearly constant for a step; only a node that is merged into another one also passes its
+    known darts on to that node.
     """
 
     def __init__(self, first: Percept) -> None:
@@ -87,7 +99,10 @@ class FoldedLog:
         return first
 
     def canonical(self, dart: int) -> int:
-        """The canonical dart with which ``dart`` was merged; a canonical dart itself."""
+        """The canonical dart that stands for ``dart``; ``dart`` itself if ``dart`` is canonical.
+
+        A dart is canonical if its node has not been merged into another node.
+        """
         base, stands = self.base, self.stands
         v = self.node[dart]
         while stands[v] != base[v]:
@@ -99,15 +114,16 @@ class FoldedLog:
         return dart
 
     def turn(self, dart: int, offset: int) -> int:
-        """The dart ``sigma^offset(dart)``."""
+        """The dart ``sigma^offset(dart)`` of the same node."""
         v = self.node[dart]
         first = self.base[v]
         return first + (dart - first + offset) % self.degree[v]
 
     def beyond(self, dart: int) -> int:
-        """The other dart of the edge of a canonical dart; it is canonical, too.
+        """The other dart of the edge of ``dart``; :data:`OPEN` if ``dart`` is open.
 
-        The result is :data:`OPEN` if the other end is unknown.
+        ``dart`` must be canonical, that is, its node has not been merged into another node; the
+        other dart is canonical, too.
         """
         other = self._link[dart]
         if other == OPEN:
@@ -118,9 +134,10 @@ class FoldedLog:
         return other
 
     def arrive(self, dart: int, percept: Percept) -> int:
-        """Note a motion in the log: the robot has left by ``dart``, and has sensed ``percept``.
+        """Note a motion in the log, and return the robot's dart of arrival.
 
-        ``dart`` is canonical, and so is the result, the dart of arrival.
+        The robot has left by ``dart``, and then has sensed ``percept``.  ``dart`` must be canonical
+        (its node has not been merged into another node); the dart of arrival is canonical, too.
 
         Raises:
             ValueError: if the percepts contradict each other, so that they fit no world.
@@ -136,18 +153,18 @@ class FoldedLog:
         return self.canonical(other)
 
     def _differ(self, _v: int, _w: int) -> bool:
-        """Whether two nodes of the same degree are known to be two vertices.
+        """Whether two nodes of the same degree are known to be copies of different vertices.
 
-        Here this is never known; a subclass may know it.
+        The result is False here; a subclass may know more.
         """
         return False
 
     def _stays(self, v: int, w: int) -> bool:
-        """Whether node ``v`` remains when it is merged with node ``w``: the older node remains."""
+        """Whether ``v`` remains when the nodes ``v`` and ``w`` are merged: the older node does."""
         return v < w
 
     def _merge(self, one: int, another: int) -> None:
-        """Merge two darts, and all darts that are then equal.
+        """Merge two darts with their nodes, and then all darts that must be equal, too.
 
         Raises:
             ValueError: if two nodes that would be merged cannot be one vertex.
@@ -178,8 +195,8 @@ class FoldedLog:
 # ---------------------------------------------------------------- explorers
 
 ToOpenDart: TypeAlias = Callable[[FoldedLog, int], list[int]]
-"""A function that chooses the next walk: from a folded log and the robot's dart it returns the
-darts by which the walk leaves its nodes; the last dart is open."""
+"""A function that chooses the next walk: it takes a folded log and the robot's dart in the log, and
+returns the darts by which the walk leaves its nodes; the last dart is open."""
 
 
 def folding(
@@ -190,7 +207,11 @@ def folding(
 ) -> Stage[Estimate]:
     """Explore by the folded log: go home to v0, then to the open dart nearest to v0, and so on.
 
-    The event ``merged`` is an arrival at v0 that merges nodes.
+    Args:
+        first: the percept at the start.
+        choices: not used, because the walk leaves no choice.
+        notice: the function that gets the event ``merged`` after each arrival at v0 that merges
+            nodes.
 
     Cost: the explorer always stops; no bound is known (up to 1,206 traversals for m = 5).
     """
@@ -205,22 +226,26 @@ def folding_oldest(
 ) -> Stage[Estimate]:
     """Explore by the folded log: go by a shortest way to the dart that has been open longest.
 
-    Events are those of :func:`folding`.
+    The arguments and events are those of :func:`folding`.
     """
     return (yield from explore_folding(first, to_oldest, notice))
 
 
 def by_home(log: FoldedLog, here: int) -> list[int]:
-    """The darts of a walk to v0 and then to the open dart nearest to v0.
+    """The darts by which a walk to v0, and then to the open dart nearest to v0, leaves its nodes.
 
-    The darts of v0 are tried clockwise from the pointed dart.
+    ``here`` is the robot's dart in the log.  The search at v0 tries the darts clockwise from the
+    pointed dart.
     """
     home = way(log, here, lambda dart: log.node[dart] == 0)
     return [*home[:-1], *way(log, 0, lambda dart: log.beyond(dart) == OPEN)]
 
 
 def to_oldest(log: FoldedLog, here: int) -> list[int]:
-    """The darts of a walk to the oldest open dart, which has the smallest number."""
+    """The darts by which a shortest walk to the oldest open dart leaves its nodes.
+
+    The oldest open dart is the one with the smallest number; ``here`` is the robot's dart.
+    """
     oldest = next(dart for dart in _darts(log) if log.beyond(dart) == OPEN)
     return way(log, here, lambda dart: dart == oldest)
 
@@ -228,9 +253,12 @@ def to_oldest(log: FoldedLog, here: int) -> list[int]:
 def explore_folding(
     first: Percept, next_way: ToOpenDart, hears: Callable[[str], None] = nobody
 ) -> Stage[Estimate]:
-    """Explore by the folded log, until no dart is open; ``next_way`` chooses each next walk.
+    """Explore by the folded log, until no dart is open.
 
-    The function ``hears`` gets the event ``merged``, see :func:`folding`.
+    Args:
+        first: the percept at the start.
+        next_way: the function that chooses each walk to an open dart.
+        hears: the function that gets the event ``merged``, see :func:`folding`.
     """
     log, here = begun(first)
     while has_open_dart(log):
@@ -244,9 +272,9 @@ def explore_folding(
 
 
 def begun(first: Percept) -> tuple[FoldedLog, int]:
-    """The folded log at the start, and the dart in it that the robot faces.
+    """The folded log at the start, and the dart of the log that the robot faces.
 
-    The percept must have a bearing.
+    ``first`` is the percept at the start, which must have a bearing.
     """
     log = FoldedLog(first)
     return log, log.turn(0, -bearing_of(first))
@@ -258,7 +286,10 @@ def has_open_dart(log: FoldedLog) -> bool:
 
 
 def estimate(log: FoldedLog, here: int) -> Estimate:
-    """The answer with the map of the folded log and the robot's dart; no dart may be open."""
+    """The answer with the map of the folded log; no dart of the log may be open.
+
+    ``here`` is the robot's dart in the log, which must be canonical.
+    """
     darts = [*_darts(log)]
     number = {dart: i for i, dart in enumerate(darts)}
     sigma = [number[log.turn(dart, 1)] for dart in darts]
@@ -267,7 +298,7 @@ def estimate(log: FoldedLog, here: int) -> Estimate:
 
 
 def _darts(log: FoldedLog) -> Iterator[int]:
-    """The canonical darts, ascending."""
+    """The darts of all nodes that have not been merged into another node, ascending."""
     for first, degree, stands in zip(log.base, log.degree, log.stands, strict=True):
         if stands == first:
             yield from range(first, first + degree)
@@ -277,7 +308,7 @@ def way(log: FoldedLog, start: int, is_goal: Callable[[int], bool]) -> list[int]
     """The darts by which a shortest walk in the log leaves its nodes; the last dart is a goal.
 
     The walk begins at the dart ``start``.  A goal is a dart for which ``is_goal`` is true.  The
-    darts of a node are tried clockwise, from the dart of entry on.
+    search tries the darts of each node clockwise, from the dart by which the walk came there.
     """
     came: dict[int, list[int]] = {log.node[start]: []}
     queue = [start]
@@ -304,7 +335,7 @@ class Shield:
     """An explorer with a shield: a generator function that takes the explorer's arguments.
 
     Attributes:
-        explorer: the generator function inside.
+        explorer: the generator function of the explorer inside.
     """
 
     def __init__(self, explorer: Callable[..., Generator[Any, Any, Any]]) -> None:
@@ -312,7 +343,10 @@ class Shield:
         self.__signature__ = signature_of(explorer)
 
     def __call__(self, first: Percept, **keywords: Any) -> Stage[Estimate]:
-        """Explore from a directional lighthouse; return the true map, for any explorer inside."""
+        """Explore from a directional lighthouse; return the true map, for any explorer inside.
+
+        ``first`` is the percept at the start, and ``keywords`` are passed to the explorer inside.
+        """
         log, here = begun(first)
         stranger = _Stranger(log, here, lambda seen: self.explorer(seen, **keywords))
         try:
@@ -326,9 +360,15 @@ class _Guest:
     """An explorer inside the shield; it walks in the folded log.
 
     Attributes:
-        here: the dart of the log by which the guest has arrived; at first the dart that it faces.
+        here: the dart of the log by which the guest has arrived; at first the dart that the robot
+            faces at the start.
         steps: the number of the guest's traversals.
         out: whether the guest makes no further motions.
+
+    Args:
+        log: the folded log, which all guests share.
+        here: the value of the attribute at first.
+        explorer: the generator function of the explorer; its argument is the first percept.
     """
 
     def __init__(
@@ -339,7 +379,14 @@ class _Guest:
         self._walk: Generator[Any, Any, Any] | None = None
 
     def next_dart(self) -> int | None:
-        """The dart by which the guest leaves next; None if the guest makes no further motion."""
+        """The dart of the log by which the guest leaves next; None if it makes no further motion.
+
+        The guest's checkpoints before this motion are dropped.
+
+        Raises:
+            ValueError: if the guest yields no motion, or more than :data:`MOST_CHECKPOINTS`
+                checkpoints before it.
+        """
         reply = None if self._walk is None else self._percept()
         self._walk = self._walk or self._explorer(self._percept())
         message = self._walk.send(reply)
@@ -354,7 +401,7 @@ class _Guest:
         return self._log.turn(self._log.canonical(self.here), integer(message.k))
 
     def _percept(self) -> Percept:
-        """The percept of the guest at its dart, read from the log."""
+        """The percept that the guest has at its dart ``here``, by the log."""
         log = self._log
         dart = log.canonical(self.here)
         degree = log.degree[log.node[dart]]
@@ -365,7 +412,8 @@ class _Guest:
 class _Stranger(_Guest):
     """A guest that is a user's explorer.
 
-    If the explorer ends, raises or yields an illegal value, the guest makes no further motions.
+    If the explorer ends, raises an error or yields an illegal value, the guest makes no further
+    motions.
     """
 
     def next_dart(self) -> int | None:
@@ -391,7 +439,11 @@ class _Stranger(_Guest):
 
 
 def _take_turns(log: FoldedLog, here: int, guests: Sequence[_Guest]) -> Stage[int]:
-    """Let the guests walk in turn until no dart is open; return the robot's dart of arrival."""
+    """Let the guests walk in turn until no dart is open; return the robot's dart in the log.
+
+    ``here`` is the robot's dart at the start.  If a guest makes no further motions, the others walk
+    without a budget.
+    """
     for turn in count():
         guest = guests[turn % len(guests)]
         while not guest.out and (guest.steps < 2**turn or any(other.out for other in guests)):

@@ -1,7 +1,8 @@
 """The explorer that learns the quotient of its world by experiments.
 
 A *word* is a sequence of the letters ``s`` (turn to the next dart clockwise) and ``a`` (go through
-the dart).  An experiment walks a word, and reads the percept at its end.
+the dart).  An experiment walks a word, and reads the percept at its end.  A *class* is a set of
+darts that no word tells apart: from each of them the robot senses the same after the same word.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -13,16 +14,20 @@ from allworlds.protocol.actions import Ambiguous, Estimate, Move, Percept
 from allworlds.protocol.choices import Choices
 
 SensedWord: TypeAlias = tuple[str, ...]
+"""A word, as the tuple of its letters."""
+
 SensedRow: TypeAlias = tuple[Percept, ...]
+"""The percepts after each of several words, all walked from the same dart."""
 
 
 class TreeDart(NamedTuple):
     """A dart in the tree of all walks from the start; see :class:`Experiments`.
 
     Attributes:
-        node: the name of the dart's node: the ``turn`` of each dart by which the way from the start
-            to the node leaves a node.
-        turn: the number of darts, clockwise, from the node's dart of entry to this dart.
+        node: the node of the dart, given by the way from the start to this node: for each dart by
+            which the way leaves a node on it, the dart's ``turn``.
+        turn: the number of darts, clockwise, from the dart by which the way enters the node to this
+            dart; at the start from the dart that the robot faces.
     """
 
     node: tuple[int, ...]
@@ -30,7 +35,11 @@ class TreeDart(NamedTuple):
 
     @property
     def beyond(self) -> "TreeDart":
-        """The other dart of the edge; behind a dart of entry it is a dart of the parent node."""
+        """The other dart of the edge in the tree.
+
+        For the dart by which the way from the start enters a node, this is a dart of the node
+        before; for any other dart it is the dart of entry of a further node.
+        """
         if self.node and self.turn == 0:
             return TreeDart(self.node[:-1], self.node[-1])
         return TreeDart((*self.node, self.turn), 0)
@@ -43,8 +52,11 @@ class Experiments:
     So several nodes can be one vertex; the tree does not tell which.
 
     Attributes:
-        start: the dart that the robot faces at the start.
+        start: the dart of the tree that the robot faces at the start.
         here: the robot's dart in the tree.
+
+    Args:
+        first: the percept at the start.
 
     Cost: a step that was made before costs nothing.  Before a new step the robot walks to the node
     where the step begins, along the edges of the tree.
@@ -55,11 +67,14 @@ class Experiments:
         self._percepts = {self.start.node: first}
 
     def sensed(self, dart: TreeDart) -> Percept:
-        """The percept of the robot at a dart of the tree."""
+        """The percept of the robot at a dart of the tree, whose node it must have visited."""
         return self._percepts[dart.node]
 
     def walk(self, word: Sequence[str], start: TreeDart | None = None) -> Stage[TreeDart]:
-        """Walk a word from the dart ``start``, by default from the start; return the last dart."""
+        """Walk a word through the tree; return the dart at the end of the word.
+
+        The word begins at the dart ``start``; None stands for the attribute ``start``.
+        """
         at = self.start if start is None else start
         for letter in word:
             if letter == "s":
@@ -73,18 +88,21 @@ class Experiments:
         return at
 
     def word_to(self, dart: TreeDart) -> SensedWord:
-        """The word that leads from the start to a dart along the tree."""
+        """The word, as a tuple of letters, that leads from the start along the tree to ``dart``."""
         return (*"".join("s" * turn + "a" for turn in dart.node), *"s" * dart.turn)
 
     def _go(self, goal: tuple[int, ...]) -> Stage[None]:
-        """Walk to the node ``goal``: back until a node on the way to ``goal``, then onward."""
+        """Walk to the node ``goal``: back to a node on the way from the start to it, then onward.
+
+        ``goal`` has the form of :attr:`TreeDart.node`.
+        """
         while self.here.node != goal[: len(self.here.node)]:
             yield from self._leave(0)
         for turn in goal[len(self.here.node) :]:
             yield from self._leave(turn)
 
     def _leave(self, turn: int) -> Stage[Percept]:
-        """Leave the robot's node by the dart ``turn`` darts clockwise from the dart of entry."""
+        """Leave the robot's node by its dart with this ``turn``; return the percept after that."""
         seen = yield Move(turn - self.here.turn)
         self.here = TreeDart(self.here.node, turn).beyond
         return seen
@@ -100,7 +118,13 @@ def quotient(
 
     This lighthouse is a marker at v0 that points nowhere: the robot senses one mark at v0, no mark
     elsewhere, and no bearing.  The answer is the map if only one map has this quotient, else the
-    quotient.  The event ``map`` or ``ambiguous`` tells the kind of the answer.
+    quotient.
+
+    Args:
+        first: the percept at the start.
+        choices: not used, because the explorer makes no choice.
+        notice: the function that gets one event at the end: ``map`` or ``ambiguous``, the kind of
+            the answer.
 
     Cost: polynomial in the darts; at most 557 traversals for up to 4 edges, 1,791 for 5 edges.
     """
@@ -113,11 +137,13 @@ def quotient(
 
 
 class ClassTable(NamedTuple):
-    """Classes of darts, and the class to which each letter leads; class 0 is that of the start.
+    """The classes of darts, as 0, 1, 2, ..., and the class to which each letter leads from each.
+
+    Class 0 is that of the dart that the robot faces at the start.
 
     Attributes:
         sigma, alpha: for each class the class to which the letter ``s``, or ``a``, leads.
-        sensed: for each class the percept of its darts.
+        sensed: for each class the percept of a robot at its darts.
         here: the class of the robot's dart.
     """
 
@@ -127,13 +153,13 @@ class ClassTable(NamedTuple):
     here: int
 
     def after(self, word: SensedWord, of: int = 0) -> int:
-        """The class to which a word leads from the class ``of``, by this table."""
+        """The class to which ``word`` leads from the class ``of``, by this table."""
         for letter in word:
             of = self.sigma[of] if letter == "s" else self.alpha[of]
         return of
 
     def words(self) -> dict[int, SensedWord]:
-        """A shortest word from the class of the start to each class that can be reached."""
+        """For each class that can be reached, a shortest word from the class of the start to it."""
         words: dict[int, SensedWord] = {0: ()}
         for of in (queue := [0]):
             for letter in "sa":
@@ -144,14 +170,15 @@ class ClassTable(NamedTuple):
         return words
 
     def vertices(self) -> tuple[tuple[int, ...], ...]:
-        """The cycles of sigma, each a vertex of the quotient; the one of the start comes first."""
+        """The cycles of sigma, each a vertex of the quotient; the cycle of class 0 comes first."""
         return cycles(self.sigma)
 
     @property
     def sheets(self) -> int:
         """The number of darts of the world in each class, the same for all classes.
 
-        The number is computed at v0: only v0 has a mark, so its darts alone are in their classes.
+        v0 alone has a mark, so the classes of its darts hold no darts of other vertices: the number
+        is the degree of v0, divided by the number of these classes.
         """
         return self.turns(self.vertices()[0])
 
@@ -167,7 +194,8 @@ class ClassTable(NamedTuple):
         """The number of times that the classes in ``vertex`` occur round a vertex of the world.
 
         ``vertex`` is one of :meth:`vertices`.  All vertices of the world that have darts of these
-        classes have the same degree: this number times the number of the classes.
+        classes have the same degree; the result is this degree divided by the number of the
+        classes.
         """
         return self.sensed[vertex[0]].degree // len(vertex)
 
@@ -176,9 +204,9 @@ class ClassTable(NamedTuple):
 
         The darts of each class have numbers, from 0 on, as many as there are sheets.  sigma and
         alpha lead to a dart with the same number in another class, with two exceptions.  If the
-        classes occur several times round a vertex of the world, sigma adds 1 to the number from the
-        last of these classes to the first.  If alpha leads from a class to itself, it exchanges the
-        numbers 0 and 1.
+        classes occur several times round a vertex of the world, sigma adds 1 (modulo the number of
+        sheets) to the number from the last of these classes to the first.  If alpha leads from a
+        class to itself, alpha exchanges the numbers 0 and 1.
         """
         k = self.sheets
         sigma = [of * k + i for of in self.sigma for i in range(k)]
@@ -201,7 +229,14 @@ class ClassTable(NamedTuple):
 
 
 class _Learner:
-    """The learning of the table of classes, from words that distinguish the classes."""
+    """The learning of the table of classes by experiments.
+
+    Attributes:
+        world: the tree of all walks, in which the robot makes the experiments.
+        telling: the words that distinguish the classes: two darts are in one class if the robot
+            senses the same after each of these words.
+        table: the table of classes.
+    """
 
     def __init__(self, world: Experiments) -> None:
         self.world = world
@@ -211,9 +246,12 @@ class _Learner:
         self._rows: list[SensedRow] = []
 
     def learn(self) -> Stage[None]:
-        """Make experiments until the table predicts the percepts on all words that prove it right.
+        """Make experiments until the attribute ``table`` is right.
 
-        These words are those of :meth:`_to_be_met`.
+        The table is right as soon as it predicts all percepts along the words of
+        :meth:`_to_be_met`.  A word for which it predicts a wrong percept joins ``telling`` with all
+        its suffixes; then a new table is made.  At last the class of the robot's dart (``here``) is
+        written into the table.
         """
         wrong: SensedWord | None = ()
         while wrong is not None:
@@ -227,10 +265,9 @@ class _Learner:
         self.table = self.table._replace(here=here)
 
     def _close(self) -> Stage[None]:
-        """Make a new table by experiments.
+        """Set the attribute ``table`` to a new table of classes, made by experiments.
 
-        Two darts are in one class if the robot senses the same after each word of ``telling``, the
-        words that distinguish classes.
+        Two darts are in one class if the robot senses the same after each word of ``telling``.
         """
         self._reached, self._rows = [()], [(yield from self._row(self.world.start))]
         leads: dict[str, list[int]] = {"s": [], "a": []}
@@ -252,9 +289,11 @@ class _Learner:
         return tuple(row)
 
     def _refuted(self) -> Stage[SensedWord | None]:
-        """A word from the start whose last percept the table predicts wrongly.
+        """A word from the start at whose end the attribute ``table`` predicts a wrong percept.
 
-        The result is None if all predictions on the words of :meth:`_to_be_met` are right.
+        Along each word of :meth:`_to_be_met`, after each of its letters, experiments are compared
+        with what the table predicts at the end of each word of ``telling`` from there.  The result
+        is None if all these predictions are right.
         """
         for word in self._to_be_met():
             at, of = self.world.start, 0
@@ -269,7 +308,14 @@ class _Learner:
         return None
 
     def _to_be_met(self) -> Iterator[SensedWord]:
-        """Yield words that prove the table, if it predicts rightly all percepts along each word."""
+        """Yield the words, from the start, that suffice to prove the attribute ``table``.
+
+        If the table predicts rightly along all these words, it is right for every word.  First come
+        words that test whether ``a`` twice, and ``s`` as often as the degree, lead back.  The other
+        words begin at each dart of v0 that is in class 0 by the table.  From there a word leads to
+        some class, goes on by one letter, and then back by the reverse letters, so that it ends in
+        class 0 again if the table is right.
+        """
         table = self.table
         degrees = [percept.degree for percept in table.sensed]
         # The letters have inverses, and v0 has as many classes as there are different rows.
@@ -286,10 +332,10 @@ class _Learner:
                     yield (*"s" * turned, *word, letter, *back)
 
     def _back(self, word: SensedWord, degrees: list[int]) -> SensedWord:
-        """The word that leads back to the start from the dart to which ``word`` leads.
+        """The word that undoes ``word``, which begins at class 0: it leads back to class 0.
 
-        The reverse of the letter ``a`` is ``a``.  The reverse of one ``s`` at a vertex of degree d
-        is d - 1 times ``s``.  ``degrees`` holds for each class the degree of its darts' vertices.
+        ``a`` undoes the letter ``a``; at a vertex of degree d, d - 1 times ``s`` undo one ``s``.
+        ``degrees`` holds for each class the degree of its darts' vertices.
         """
         back: list[str] = []
         for i in range(len(word), 0, -1):

@@ -1,12 +1,13 @@
 """Algorithm 1 for a robot that senses at v0 only a letter, which depends on the bearing.
 
-A letter is the number of marks in a percept at v0.  If only one bearing has a letter other than 0,
-the letter marks a *door*; else the letters of all bearings, clockwise, are a *word*.  In the *scan*
-the robot learns the letters of v0: it leaves by each dart of v0 and comes back.  A test that has
-come to v0 ends with *queries*: the robot goes out and back by darts whose letters prove that it had
-entered v0 by the expected dart.  These darts exist if the word is primitive, that is, no repetition
-of a shorter word; for a door one query suffices.  A failed query need not be undone: after it the
-robot is at v0 again, and has only turned.
+A letter is the number of marks in a percept at v0; each dart of v0 has the letter that a robot
+senses after its arrival by this dart.  If only one dart has a letter other than 0, it is a *door*;
+else the letters of all bearings, 0, 1, 2, ..., are a *word*.  In the *scan* the robot learns the
+letters of v0: it leaves by each dart of v0 and comes back.  A test that has come to v0 ends with
+*queries*: the robot goes out and back by darts whose letters prove that it had entered v0 by the
+expected dart.  These darts exist if the word is primitive, that is, no repetition of a shorter
+word; for a door one query suffices.  A failed query need not be undone: after a query the robot is
+at v0 again, and has only turned.
 
 The paper does not have this algorithm.
 """
@@ -21,9 +22,10 @@ from allworlds.protocol.choices import Choices
 def algorithm1_door(
     first: Percept, *, choices: Choices | None = None, notice: Callable[[str], None] = nobody
 ) -> Stage[Estimate]:
-    """Explore from a door, which a robot senses only when it arrives by the door.
+    """Explore from a door, a dart of v0 that a robot senses only when it arrives by this dart.
 
-    Choices and events are those of Algorithm 1.
+    The arguments, choices and events are those of
+    :func:`~allworlds.explorers.builtin.algorithm1.algorithm1`.
 
     Cost: at most (1) + (2) traversals (the paper's Section VI), 2 more for each test, and
     2 (deg(v0) - 1) more for the search of the door.
@@ -35,10 +37,10 @@ def algorithm1_door(
 def algorithm1_word(
     first: Percept, *, choices: Choices | None = None, notice: Callable[[str], None] = nobody
 ) -> Stage[Estimate]:
-    """Explore from a vertex whose letter depends on the bearing.
+    """Explore from v0, where the robot senses a letter that depends on the dart of arrival.
 
-    The estimate is right if the letters are a primitive word, and not all 0.  Choices and events
-    are those of Algorithm 1.
+    The estimate is right if the letters of v0 are a primitive word, and not all 0.  The arguments,
+    choices and events are those of :func:`~allworlds.explorers.builtin.algorithm1.algorithm1`.
 
     Cost: at most (1) + (2) traversals (the paper's Section VI), and 2 (deg(v0) - 1) more for the
     scan and for each test.
@@ -51,7 +53,8 @@ class Scanning(Algorithm1):
 
     Attributes:
         one_letter: whether only one dart has a letter other than 0; the scan ends at this dart.
-        queries: for each dart of v0 the darts whose letters prove an arrival by this dart.
+        queries: for each dart of v0 the darts whose letters prove that the robot arrived by it;
+            empty before the scan.
     """
 
     def __init__(
@@ -91,10 +94,12 @@ class Scanning(Algorithm1):
         self.queries = [telling(letters, dart) for dart in range(degree)]
 
     def try_path(self, partner: int, path: list[int]) -> Stage[tuple[list[int], bool]]:
-        """Lines 10-13, and then the queries at v0: out and back by each dart in ``queries``.
+        """Lines 10-13, and then the queries at v0: out and back by certain darts of v0.
 
-        After a query the robot stands at the dart by which it went out.  A letter that is not the
-        expected one ends the queries, and the test has failed.
+        These darts are those in ``queries`` for the dart by which the test should have arrived at
+        v0.  After a query the robot stands at the dart by which it went out.  If a letter is not
+        the expected one, the test has failed, and no further query is made.  The arguments and the
+        result are those of :meth:`Algorithm1.try_path`; the motions of queries are not returned.
         """
         motions, matched = yield from super().try_path(partner, path)
         if matched:
@@ -109,21 +114,24 @@ class Scanning(Algorithm1):
         return motions, matched
 
     def confirmed_at(self, partner: int, path: list[int]) -> int:
-        """The dart of v0 by which the robot has come back from the last query.
+        """The robot's dart in S after a test that has confirmed a hypothesis.
 
-        If no query was needed, this is the dart by which the test has arrived at v0.
+        This is the dart of v0 by which the robot has come back from the last query; without a query
+        the dart of v0 at which the robot stands after the test.  The arguments are those of
+        :meth:`Algorithm1.confirmed_at`.
         """
         return self.s.turn(super().confirmed_at(partner, path), self.turned)
 
 
 def telling(letters: list[int], dart: int) -> list[int]:
-    """A few darts of v0 at which letters prove that the robot came in by ``dart``.
+    """A few darts of v0 whose letters prove that the robot came in by ``dart``.
 
-    If the robot takes another dart of v0 for ``dart``, it reads a cyclic shift of ``letters``; if
-    it takes another vertex for v0, it reads only zeros.  The letter at ``dart`` is already read, so
-    only those shifts and zeros are left that have the same letter at ``dart``.  Each of them has
-    another letter than ``letters`` at one of the returned darts.  The exception is one that equals
-    ``letters``: then nothing can prove the dart, and the word is not primitive, or all 0.
+    ``letters`` holds the letter of each dart of v0, clockwise.  If the robot came in by another
+    dart of v0, queries read a cyclic shift of ``letters`` instead; at another vertex they read only
+    zeros.  The robot has already sensed the letter of ``dart``, so only those of these lists must
+    be excluded that have the same letter there.  Each of these differs from ``letters`` at one of
+    the returned darts at least.  Only a list that equals ``letters`` cannot be excluded; then the
+    letters are not a primitive word, or are all 0.
     """
     shifts = [letters[k:] + letters[:k] for k in range(1, len(letters))]
     others = [word for word in ([0] * len(letters), *shifts) if word[dart] == letters[dart]]
