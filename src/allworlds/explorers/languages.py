@@ -14,11 +14,11 @@ SUFFIX = ".template"
 
 
 class Language(Struct, frozen=True):
-    """A programming language, with the commands that try an explorer in its folder.
+    """A programming language, with the commands that try an explorer in the explorer's folder.
 
     Attributes:
-        explorer: the file of the explorer.
-        check: the command that builds the explorer, if necessary, and checks it.
+        explorer: the name of the file with the explorer.
+        check: the command that builds the explorer, if necessary, and checks the explorer.
         test: the command that runs the explorer's test.
         needs: the programs that these commands need besides ``allworlds``.
     """
@@ -49,11 +49,14 @@ LANGUAGES = {
         ("rustc", "make"),
     ),
 }
-"""The languages with a skeleton."""
+"""The languages with a skeleton, by their names on the command line."""
 
 
 def templates(folder: Path) -> dict[str, str]:
-    """The text of each file of a skeleton, by the name of the file, sorted."""
+    """The text of each file of the skeleton in ``folder``, by the file's path in it, sorted.
+
+    The paths are those of the files to write, without ``.template``.
+    """
     return {
         file.relative_to(folder).as_posix().removesuffix(SUFFIX): file.read_text(encoding="utf-8")
         for file in sorted(folder.rglob(f"*{SUFFIX}"))

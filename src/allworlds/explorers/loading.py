@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 EXPLORER = "an explorer is def explore(first) with yield"
 
 HASH_SEED = "PYTHONHASHSEED"
-"""The environment variable from which Python takes its hash seed."""
+"""The environment variable from which Python takes the seed of its hashes of texts."""
 
 ENTRY_POINTS = "allworlds.explorers"
 EXEC = "exec:"
@@ -57,9 +57,9 @@ LIGHTHOUSE = "directional"
 
 
 def entry_of(name: str) -> BuiltIn | None:
-    """The entry of a built-in explorer in the table; None if no built-in explorer has this name.
+    """The entry in the table ``BUILT_IN``; None if no built-in explorer has this name.
 
-    For a name with a colon the table is not even loaded.
+    For a name with a colon, which no built-in explorer has, the table is not even loaded.
     """
     if ":" in name:
         return None
@@ -69,12 +69,12 @@ def entry_of(name: str) -> BuiltIn | None:
 
 
 def is_program(name: str) -> bool:
-    """Whether the name, without wrappers, is that of a program outside Python: ``exec:COMMAND``."""
+    """Whether a name, without wrappers, is that of a program outside Python: ``exec:COMMAND``."""
     return innermost(name).startswith(EXEC)
 
 
 def is_library(name: str) -> bool:
-    """Whether the name, without wrappers, is that of a shared library: ``native:PATH``."""
+    """Whether a name, without wrappers, is that of a shared library: ``native:PATH``."""
     return innermost(name).startswith(NATIVE)
 
 
@@ -90,7 +90,7 @@ def wrapped(name: str) -> tuple[str, str]:
 
 
 def innermost(name: str) -> str:
-    """The name without wrappers, the prefixes ``shield:`` and ``elsewhere:``."""
+    """The name without its wrappers, which are the prefixes ``shield:`` and ``elsewhere:``."""
     wrapper = SHIELD
     while wrapper:
         wrapper, name = wrapped(name)
@@ -98,12 +98,15 @@ def innermost(name: str) -> str:
 
 
 def command_or_path(name: str) -> str:
-    """The COMMAND in a name ``exec:COMMAND``, or the PATH in a name ``native:PATH``."""
+    """The COMMAND in a name ``exec:COMMAND``, or the PATH in a name ``native:PATH``.
+
+    The name may have wrappers, such as ``shield:exec:COMMAND``.
+    """
     return innermost(name).partition(":")[2]
 
 
 def named_on_command_line(name: str) -> list[str]:
-    """The arguments of the command line that name an explorer."""
+    """The arguments of the command line that give the explorer of this name."""
     for option, kind in (("--exec", EXEC), ("--native", NATIVE)):
         if name.startswith(kind):
             return [option, name.removeprefix(kind)]
@@ -111,18 +114,20 @@ def named_on_command_line(name: str) -> list[str]:
 
 
 def entry_point(plain: str) -> EntryPoint | None:
-    """The explorer that an installed package offers under this name; None if there is none.
+    """The entry point by which an installed package offers this explorer; None if there is none.
 
-    A name with a colon names a function, so the slow search in the installed packages is left out.
+    ``plain`` is the explorer's name without arguments (``?key=value``).  A name with a colon names
+    a function, so the slow search in the installed packages is left out.
     """
     return None if ":" in plain else importing.points_of(ENTRY_POINTS).get(plain)
 
 
 def own_bound(name: str, lighthouse: str) -> str | None:
-    """The explorer's own bound on its traversals under this lighthouse; None if it has none.
+    """The bound that the explorer itself promises under this lighthouse; None if it promises none.
 
-    ``lighthouse`` has the form ``KIND[:key=value,...]``.  The bound holds under all options of the
-    explorer's kind of lighthouse except ``start=any``.
+    ``name`` is the explorer's name, and ``lighthouse`` has the form ``KIND[:key=value,...]``.  The
+    result is the name of a bound on the traversals, or an expression.  A built-in explorer promises
+    its bound only under its own kind of lighthouse, under all options except ``start=any``.
 
     Raises:
         InputError: if the explorer has a shield, and the lighthouse is not the directional one, or
@@ -152,7 +157,13 @@ way to the mark can have, as a formula in the diameter d."""
 
 
 def _bound_elsewhere(inside: str, lighthouse: str) -> str | None:
-    """The bound of an explorer that looks for v0, and then starts the explorer ``inside`` there."""
+    """The bound of an explorer that looks for v0, and then starts the explorer ``inside`` there.
+
+    ``inside`` is a name.  The result is None if no bound is known.
+
+    Raises:
+        InputError: if the lighthouse does not show v0.
+    """
     parts = [part.partition(":") for part in lighthouse.split("+")]
     if not any(kind in SHOW_V0 for kind, _, _ in parts):
         raise InputError(
@@ -198,7 +209,7 @@ class Subject(Struct, frozen=True, weakref=True):
 
     @property
     def own(self) -> BuiltIn | None:
-        """The entry of a built-in explorer in the table.
+        """The explorer's entry in the table of built-in explorers.
 
         The result is None for a user's explorer, and for a built-in explorer in a wrapper, such as
         a shield.
@@ -207,25 +218,28 @@ class Subject(Struct, frozen=True, weakref=True):
 
     @property
     def from_user(self) -> bool:
-        """Whether this is a user's explorer, or has a wrapper; each run of it is played twice."""
+        """Whether this is a user's explorer, or one with a wrapper.
+
+        Each run of such an explorer is played twice.
+        """
         return self.own is None
 
     @property
     def compiled(self) -> bool:
         """Whether the explorer is a shared library without a wrapper.
 
-        If it has a wrapper, such as a shield, Python calls the library.
+        Compiled code can play such an explorer; a library in a wrapper is called by Python.
         """
         return self.name.startswith(NATIVE)
 
     @property
     def importable(self) -> bool:
-        """Whether other processes can load the explorer by its name, and play it."""
+        """Whether only other processes load the explorer, by its name; ``explore`` is then None."""
         return self.explore is None
 
     @property
     def lighthouse(self) -> str:
-        """The default lighthouse of the explorer."""
+        """The lighthouse under which the explorer is played if the user names none."""
         searches = self.name.startswith(ELSEWHERE)
         own = entry_of(innermost(self.name)) if searches else self.own
         kind = own.lighthouse if own else LIGHTHOUSE
@@ -235,7 +249,7 @@ class Subject(Struct, frozen=True, weakref=True):
 
     @property
     def step_budget(self) -> int | None:
-        """The largest legal number of traversals of this explorer; None if it is the usual one."""
+        """The explorer's own step budget, a number of traversals; None: it has the usual budget."""
         if self.name.startswith(ELSEWHERE):
             return ELSEWHERE_BUDGET
         return self.own.step_budget if self.own else None
@@ -248,7 +262,8 @@ class Subject(Struct, frozen=True, weakref=True):
     def player(self, notice: Callable[[str], None] = lambda _event: None) -> Player:
         """The function that begins a run of the explorer, which this process must have loaded.
 
-        ``notice`` gets the explorer's events, if the explorer tells any.
+        ``notice`` is called with each event of the explorer, if the explorer takes ``notice``; by
+        default the events are ignored.
         """
         explore = self.explore
         assert explore is not None
@@ -260,7 +275,10 @@ class Subject(Struct, frozen=True, weakref=True):
         return play
 
     def running(self) -> AbstractContextManager[object]:
-        """A context whose end stops the program or library behind the explorer."""
+        """A context whose end stops the explorer's program, or closes its shared library.
+
+        For an explorer in Python the context does nothing.
+        """
         behind = self.program or self.native
         return closing(behind) if behind else nullcontext()
 
@@ -274,7 +292,7 @@ def built_in(name: str) -> Subject:
 
 
 def with_shield(inside: Subject) -> Subject:
-    """The explorer with a shield; an explorer with a shield is returned unchanged."""
+    """The explorer ``inside`` with a shield; if it has a shield already, ``inside`` itself."""
     from allworlds.explorers.builtin.folding import Shield
 
     if has_shield(inside.name):
@@ -296,7 +314,7 @@ def with_search(inside: Subject) -> Subject:
 
 
 def in_process_subject(explore: Callable[..., Any]) -> Subject:
-    """The subject for an explorer that is given as a function.
+    """The subject for an explorer that is given as the function ``explore``.
 
     A function that can be imported by its name is played in processes of its own.  Other functions,
     such as closures or functions of the running script, are played in this process.
@@ -332,10 +350,11 @@ def _is_found_by_name(explore: Any) -> bool:
 
 
 def keywords_of(name: str, explore: Any) -> frozenset[str]:
-    """The keywords ``choices`` and ``told`` that an explorer takes.
+    """The keywords among ``choices`` and ``told`` that an explorer takes.
 
-    A generator function is recognised by its form.  Any other callable is called once with a
-    percept, and its result must have ``send``, as a generator has.
+    Python itself recognises a generator function.  Any other callable is called once with a
+    percept, and its result must have ``send``, as a generator has.  ``name`` is the explorer's name
+    in errors.
 
     Raises:
         InputError: if ``explore`` is no explorer, or must be called in another way.
@@ -356,10 +375,15 @@ def keywords_of(name: str, explore: Any) -> frozenset[str]:
 def _called(
     name: str, explore: Callable[..., Any], keywords: frozenset[str]
 ) -> tuple[Any, frozenset[str]]:
-    """Return the result of a call of ``explore``, and the keywords that it has accepted.
+    """Return the result of a call of ``explore``, and the keywords that the call has accepted.
 
     If the call fails because of an unexpected keyword, the call is made again without this keyword:
     a decorated function can have ``**`` in its signature, and still refuse a keyword.
+
+    Args:
+        name: the explorer's name in errors.
+        explore: the callable.
+        keywords: the keywords that its signature accepts.
 
     Raises:
         InputError: if the call raises another error.
@@ -380,7 +404,8 @@ def _called(
 def _accepted(name: str, explore: Callable[..., Any]) -> frozenset[str]:
     """The keywords among ``choices`` and ``told`` that a callable takes, by its signature.
 
-    If Python does not know the signature, the result is empty.
+    If Python does not know the signature, the result is empty.  ``name`` is the explorer's name in
+    errors.
 
     Raises:
         InputError: if the callable cannot be called with one percept and these keywords.
@@ -402,7 +427,7 @@ def _accepted(name: str, explore: Callable[..., Any]) -> frozenset[str]:
 
 
 def source_of(name: str) -> importing.SourceText | None:
-    """The text of the Python file in an explorer's name; None if the name contains no file.
+    """The text of the Python file that an explorer's name contains; None if it contains no file.
 
     Raises:
         InputError: if the name is no name of an explorer, or the file cannot be read.
@@ -437,8 +462,8 @@ def load(
     """The explorer of that name, ready to be played in this process.
 
     Args:
-        name: see :class:`Subject`.
-        answer_timeout: the seconds after which a silent program is given up.
+        name: the name, in one of the forms that :class:`Subject` lists.
+        answer_timeout: the seconds of silence after which a program outside Python is killed.
         source: the text of the explorer's file, if the file has already been read.
 
     Raises:
@@ -475,7 +500,9 @@ def load(
 
 
 def _function_named(plain: str, source: importing.SourceText | None) -> Any:
-    """The object of a name ``module:attribute`` or ``FILE.py:attribute``.
+    """The object with the name ``plain``: ``module:attribute`` or ``FILE.py:attribute``.
+
+    ``source`` is the text of the file; None if the name contains a module.
 
     Raises:
         InputError: if there is no such object, or it cannot be imported.
@@ -500,10 +527,10 @@ def shield(explorer: Callable[..., Generator[Any, Any, Any]]) -> Shield: ...
 def shield(explorer: str | Callable[..., Generator[Any, Any, Any]]) -> str | Shield:
     """Return an explorer with a shield: right in every world under the directional lighthouse.
 
-    The explorer alone would walk for some time until its log has no open dart; with a shield it
-    makes less than nine times as many traversals.  It also makes less than nine times the sum of
-    the paper's bounds (1) and (2).  An explorer that neither yields nor returns still breaks the
-    law ``timeout``.
+    With a shield the explorer makes less than nine times as many traversals as it would make alone
+    until its log has no open dart.  The number is also less than nine times the sum of the paper's
+    bounds (1) and (2).  An explorer that neither yields nor returns still breaks the law
+    ``timeout``.
 
     Args:
         explorer: a generator function; or a name, as on the command line, where ``exec:COMMAND`` is

@@ -33,7 +33,7 @@ SCRIPT = re.compile(r".+\.([cm]?js|lua|php|pl|py|rb)")
 
 
 def missing_script(words: Sequence[str]) -> str:
-    """The reason why the interpreter in a command cannot open its script.
+    """The reason why the interpreter in a command cannot open its script, for a message.
 
     ``words`` are the words of the command.  The result is empty if the script exists, or if the
     command is not known to be a call of an interpreter with a script.
@@ -47,9 +47,10 @@ def missing_script(words: Sequence[str]) -> str:
 
 
 def obstacle(name: str) -> str:
-    """The reason why the system cannot run ``name``, the first word of a command.
+    """The reason why the system cannot run ``name``, the first word of a command, for a message.
 
-    The caller has already looked for the program in vain; the result is never empty.
+    The caller has already searched for a program of this name, and found none.  The result is never
+    empty.
     """
     if is_loop_of_links(name):
         return f"{show(name)} is a loop of links"
@@ -77,7 +78,7 @@ SHORT = 256
 
 
 class EpisodeEnd(NamedTuple):
-    """The message that ends an episode; it holds the program's answer."""
+    """The message with which the program ends an episode: its answer."""
 
     answer: object
 
@@ -90,15 +91,21 @@ ProgramMessage: TypeAlias = actions.Action | actions.Checkpoint | EpisodeEnd
 
 
 def beginning(number: int, first: actions.Percept, told: actions.Told) -> bytes:
-    """The line that begins an episode; it has a number, the first percept and the told value."""
+    """The line to the program that begins an episode.
+
+    Args:
+        number: a number for the episode.
+        first: the percept at the start.
+        told: the value that the lighthouse tells before the start; None: no value is written.
+    """
     heard = b"" if told is None else b'"told": %b, ' % json.dumps(told).encode()
     return b'{"episode": %d, ' % number + heard + answering(first)[1:]
 
 
 def answering(percept: Any) -> bytes:
-    """The line that answers an action with a percept.
+    """The line to the program that answers its action with a percept.
 
-    In a user's model (a world that changes) a percept may be any JSON value.
+    In a user's model of a changing world a percept may be any JSON value.
     """
     if isinstance(percept, actions.Percept):
         return _answering(percept)
@@ -161,12 +168,16 @@ def _estimate(value: object) -> actions.Estimate:
 
 
 def _values(value: object, what: str, law: actions.FaultLaw, *keys: str) -> list[Any]:
-    """The values that ``value``, a checkpoint or an answer in JSON, has under these keys.
+    """The values under ``keys`` in ``value``, which is a checkpoint or an answer in JSON.
 
-    ``what`` names the value in the message of an error.
+    Args:
+        value: the JSON value.
+        what: words for this value in the message of an error.
+        law: the law that is broken by an error.
+        keys: the keys, in the order of the result.
 
     Raises:
-        ExplorerFault: if ``value`` is no object, or lacks a key; ``law`` is then the broken law.
+        ExplorerFault: if ``value`` is no object, or lacks a key.
     """
     if not isinstance(value, dict):
         raise actions.ExplorerFault(law, f"{what} that is no object: {_short(value)}")
@@ -184,7 +195,7 @@ def _short(value: object) -> str:
 
 
 def shown(line: bytes | bytearray) -> str:
-    """The beginning of a line, quoted for messages."""
+    """The beginning of a line that the program has written, quoted for messages."""
     return repr(line[:SHOWN].decode(errors="replace"))
 
 
@@ -202,8 +213,8 @@ class Program:
         answer_timeout: the seconds of silence after which the process is killed.
 
     Attributes:
-        stays: whether the process is kept, not killed, if an episode ends while the process waits
-            for an answer.
+        stays: whether the process is kept alive if an episode is broken off while the process waits
+            for a percept; else it is killed then.
 
     Raises:
         InputError: if the command is empty, or its program is not found or cannot be run.
@@ -233,7 +244,11 @@ class Program:
     def explore(
         self, first: actions.Percept, *, told: actions.Told = None
     ) -> Generator[actions.Action | actions.Checkpoint, actions.Percept, object]:
-        """Play one episode: turn the program's lines into actions and an answer.
+        """Play one episode: yield the actions in the program's lines, and return the answer.
+
+        Args:
+            first: the percept at the start.
+            told: the value that the lighthouse tells before the start, or None.
 
         Raises:
             ExplorerFault: if the program is silent, ends, or writes a line that is no message.
@@ -261,8 +276,8 @@ class Program:
         """The next message of the program.
 
         Raises:
-            ExplorerFault: if the program ends or is silent, or if its message is illegal, or is an
-                answer with another line behind it.
+            ExplorerFault: if the program ends or is silent, if its message is illegal, or if it
+                writes a further line behind its answer.
         """
         line = self._line()
         try:
@@ -344,7 +359,7 @@ class Program:
             raise self._ended("the end of its input: it reads no more, and goes on") from None
 
     def _send_when_read(self, line: bytes) -> None:
-        """Wait until the program has read earlier lines, then send this line.
+        """Wait until the program has read earlier lines, then send ``line``.
 
         Raises:
             ExplorerFault: if the program reads nothing until the timeout.
@@ -377,9 +392,10 @@ class Program:
         return line
 
     def _read(self, wait: float) -> bool:
-        """Wait for output at most ``wait`` seconds, and read it; return False if stdout has ended.
+        """Wait for output at most ``wait`` seconds, and read this output.
 
-        Of the program's stderr only the end is kept.
+        Return False if the program's stdout has ended, else True.  Of the program's stderr only the
+        end is kept.
         """
         goes_on = True
         for descriptor, _ in self._said.poll(wait * 1000):
@@ -397,8 +413,8 @@ class Program:
     def _ended(self, seen: str) -> actions.ExplorerFault:
         """The fault of a program that has closed its stdin or stdout.
 
-        Usually the program has ended, or ends within a second; then the fault tells how.  If the
-        program goes on, the fault says ``seen``, the words about the pipe that is closed.
+        Usually the program has ended, or ends within a second; then the fault tells how the program
+        ended.  If the program goes on, the fault says ``seen``, words about the closed pipe.
 
         Raises:
             NestedCheck: if the last line of the program's stderr is the refusal of a nested check,
@@ -416,7 +432,7 @@ class Program:
         return fault
 
     def _pass_stderr_on(self) -> None:
-        """Print the program's stderr of this episode."""
+        """Write to this process's stderr what the program wrote to stderr in this episode."""
         self._read(0)
         if self._err:
             sys.stderr.write(self._err.decode(errors="backslashreplace"))

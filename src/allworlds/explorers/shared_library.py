@@ -1,4 +1,4 @@
-"""Explorers in shared libraries.
+"""Explorers in shared libraries, whose functions the header ``allworlds.h`` declares.
 
 Each buffer that a library gets ends at a protected page of memory, so that the process crashes if
 the library reads or writes beyond the end of the buffer.
@@ -20,7 +20,7 @@ from allworlds.protocol.choices import KINDS, Choices
 
 
 def header_text() -> str:
-    """The text of ``allworlds.h``."""
+    """The text of the header ``allworlds.h``."""
     return Path(__file__).with_name("allworlds.h").read_text(encoding="utf-8")
 
 
@@ -28,7 +28,7 @@ INTERFACE_VERSION = 2
 """The version of the interface, ``ALLWORLDS_VERSION`` in ``allworlds.h``."""
 
 ROOM = 1 << 18
-"""A library gets room to write an answer with this number of darts at least."""
+"""The smallest number of darts for which a library gets memory to write its answer."""
 
 MOVE, DROP, PICK, CHECKPOINT, ANSWER, AMBIGUOUS = range(1, 7)
 """The kinds of actions; in the header their names begin with ``ALLWORLDS_``."""
@@ -71,7 +71,7 @@ _OPTIONAL = ("choose", "quotient")
 
 
 def library_path(path: str) -> Path:
-    """The absolute path of a library's file; raise InputError if there is no such file."""
+    """The absolute path of the library at ``path``; raise InputError if there is no such file."""
     if not path:
         raise InputError("--native needs the path of a shared library, not an empty string")
     file = existing_file("--native", path)
@@ -85,7 +85,14 @@ def library_path(path: str) -> Path:
 class Library:
     """A user's shared library, which has been loaded.
 
-    Loading runs functions of the library.
+    Loading the library also runs code of it.
+
+    Args:
+        path: the path of the library's file.
+
+    Attributes:
+        new, delete, start, step, answer: the functions of these names in ``allworlds.h``.
+        choose, quotient: the same; None if the library lacks the function.
 
     Raises:
         InputError: if the library cannot be loaded, lacks a function of ``allworlds.h``, or is
@@ -130,7 +137,10 @@ class Library:
         return function
 
     def addresses(self) -> list[int]:
-        """The addresses of the library's functions start, step, answer and choose; 0 if missing."""
+        """The addresses of the library's functions start, step, answer and choose.
+
+        The address of a missing function is 0.
+        """
         functions = (self.start, self.step, self.answer, self.choose)
         return [(ctypes.cast(each, _ADDRESS).value or 0) if each else 0 for each in functions]
 
@@ -141,8 +151,9 @@ _NO_ACCESS = 0
 
 
 def guarded(kind: type[T]) -> T:
-    """A value of a type of :mod:`ctypes`, filled with zeros; a page without access is behind it.
+    """A new value of the :mod:`ctypes` type ``kind``, filled with zeros.
 
+    The value ends where a page of memory without access begins.
     Source: mprotect(2).
     """
     size = ctypes.sizeof(kind)  # type: ignore[arg-type]
@@ -165,7 +176,7 @@ def _integers(length: int) -> ctypes.Array[ctypes.c_int32]:
 
 
 THREADS_END = 0.5
-"""The seconds to wait until the system no longer lists a joined thread."""
+"""The largest number of seconds to wait until the system no longer lists a joined thread."""
 
 
 class NativeExplorer:
@@ -185,7 +196,7 @@ class NativeExplorer:
 
     @property
     def keywords(self) -> frozenset[str]:
-        """The keywords of an explorer: ``told``, and ``choices`` if the library asks for them."""
+        """The keywords that the explorer takes: ``told``, and ``choices`` if the library asks."""
         return frozenset({"told", "choices"} if self.library.choose else {"told"})
 
     def state(self) -> int:
@@ -201,9 +212,9 @@ class NativeExplorer:
         return self._state
 
     def handed(self) -> tuple[Any, ...]:
-        """New memory for compiled code that calls the library.
+        """Five new arrays of integers, by which compiled code exchanges values with the library.
 
-        There is one part for each of the percept, the action, ``here``, sigma and alpha.
+        They are for the percept, the action, ``here``, sigma and alpha, in this order.
         """
         return tuple(map(_integers, (3, 2, 1, ROOM, ROOM)))
 
@@ -216,7 +227,12 @@ class NativeExplorer:
     def explore(
         self, first: actions.Percept, *, told: actions.Told = None, choices: Choices | None = None
     ) -> Generator[actions.Action | actions.Checkpoint, actions.Percept, actions.Answer]:
-        """Play one episode.
+        """Play one episode: yield the library's actions, and return its answer.
+
+        Args:
+            first: the percept at the start.
+            told: the value that the lighthouse tells before the start, or None.
+            choices: the object that makes the choices (default: first in, first out).
 
         Raises:
             ExplorerFault: for an illegal action, choice or answer, and if threads that the library
@@ -264,8 +280,8 @@ class NativeExplorer:
     def _said(self, function: Any, lists: int, law: actions.FaultLaw) -> list[tuple[int, ...]]:
         """Call a function of the library that writes an answer; return the lists that it writes.
 
-        Each list has an integer for each dart.  The function returns the number of darts.  It also
-        writes ``here``, to ``self._here``.
+        Each list has an integer for each dart.  The library's function returns the number of darts,
+        and also writes ``here``, to ``self._here``.
 
         Args:
             function: ``allworlds_answer`` or ``allworlds_quotient``.
@@ -304,7 +320,8 @@ class NativeExplorer:
 def _one_number(told: actions.Told) -> int:
     """The number that a library is told before the start; :data:`NOTHING` if there is none.
 
-    A lighthouse that tells several numbers is refused earlier.
+    ``told`` is the value that the lighthouse tells.  It holds at most one number, because a
+    lighthouse that tells several numbers is refused earlier.
     """
     if told is None or isinstance(told, int):
         return NOTHING if told is None else told
@@ -312,16 +329,20 @@ def _one_number(told: actions.Told) -> int:
 
 
 class _Asked:
-    """The answers to the choices that a library asks for in one episode."""
+    """The choices that a library asks for in one episode.
+
+    Args:
+        choices: the object that makes the choices (default: first in, first out).
+    """
 
     def __init__(self, choices: Choices | None) -> None:
         self._choices = choices or Choices()
         self._wrong = ""
 
     def pick(self, _: int | None, of: int, options: int, cost: Any) -> int:
-        """The index of an option, which answers the library's call of ``allworlds_pick``.
+        """The index of the chosen option, which answers the library's call of ``allworlds_pick``.
 
-        After an illegal call the index is 0, and :meth:`complain` reports the error later.
+        After an illegal call the index is 0, and :meth:`complain` raises the error later.
 
         Args:
             _: the context that the library passes; it is not used.
@@ -352,7 +373,7 @@ def threads_now() -> int:
 
 
 def threads_left(before: int) -> int:
-    """The number of threads of this process beyond ``before`` threads; 0 if there are no more.
+    """The number of threads by which this process has more than ``before``; 0 if it has not more.
 
     The function waits a short time for threads that are ending, because the system still lists a
     thread for some microseconds after the thread has been joined.

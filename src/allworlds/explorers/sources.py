@@ -1,8 +1,8 @@
 """Explorers in requests, and the files of explorers.
 
-In Python an explorer is given by a name or a function, on the command line by options.  This module
-finds a file whose name resembles a mistyped one, the digest of an explorer's files, and the line
-where an explorer begins.  It runs no explorer.
+In Python an explorer is given by a name or a function, on the command line by an argument or by
+options.  This module finds the file that a mistyped name may mean, the digest of an explorer's
+files, and the line where an explorer begins.  It runs no explorer.
 """
 
 import ast
@@ -47,8 +47,8 @@ from allworlds.inputs.requests import RARE_SCOPE, SCOPE, Argument, Option, Optio
 from allworlds.protocol import importing, user_code
 
 MOST_OF_A_COMMAND = 20
-"""In the head of a column a command is shortened to this number of characters, if no other name
-is then the same."""
+"""The number of characters to which a command is shortened in the head of a table's column, if no
+other column then has the same head."""
 
 
 # ---------------------------------------------------------------- names
@@ -65,8 +65,9 @@ def names_explorer(text: str) -> bool:
 def whole_name(name: str) -> str:
     """The name of an explorer, completed if it is a mere file: ``FILE.py`` to ``FILE.py:FUNCTION``.
 
-    FUNCTION is the only public generator function in the file.  If the file defines no generator
-    function, it is ``explore``, because the file may import a function of this name.
+    FUNCTION is the only public generator function in the file, or else its only private one.  If
+    the file defines no generator function, FUNCTION is ``explore``, because the file may import a
+    function of this name.
 
     Raises:
         InputError: if the file has several such functions, is missing, or is no Python.
@@ -92,7 +93,7 @@ def whole_name(name: str) -> str:
 
 
 def explorers_in(module: CodeType) -> list[str]:
-    """The names of a module's generator functions, in their order."""
+    """The names of a module's generator functions, in the order in which they stand there."""
     functions = [code for code in module.co_consts if isinstance(code, CodeType)]
     # The names of lambdas and generator expressions are no identifiers.
     return [
@@ -106,7 +107,7 @@ def no_explorer(name: str, plain: str, known: Sequence[str]) -> str:
     """The message that ``name`` names no explorer, with the reason, and the legal forms of names.
 
     Args:
-        name: the name, without ``:FUNCTION``; it may end with arguments, ``?key=value``.
+        name: the name, which has no ``:FUNCTION``; it may end with arguments, ``?key=value``.
         plain: the name without these arguments.
         known: all names without a colon that do name an explorer.
     """
@@ -129,7 +130,7 @@ def no_explorer(name: str, plain: str, known: Sequence[str]) -> str:
 
 
 def _like_file(name: str) -> str:
-    """A hint at a Python file of a similar name in the same folder; empty if there is none."""
+    """A hint at a Python file with a name like the file ``name``, in its folder; empty if none."""
     given = Path(name)
     try:
         files = sorted(file.name for file in given.parent.glob("*.py"))
@@ -140,7 +141,7 @@ def _like_file(name: str) -> str:
 
 
 def short_names(names: Sequence[str]) -> list[str]:
-    """For each name its shortest end that no other name has, for the head of a table's column."""
+    """For each explorer's name its shortest end that no other name has, for heads of columns."""
     ends = [[*_ends(name)] for name in names]
     short = []
     for i, name in enumerate(names):
@@ -150,9 +151,9 @@ def short_names(names: Sequence[str]) -> list[str]:
 
 
 def _ends(name: str) -> Iterator[str]:
-    """Yield ends of a name, shorter ones first, and then the name itself.
+    """Yield ends of an explorer's name, shorter ones first, and then the name itself.
 
-    For a command, the beginning of the name is yielded instead of the ends.
+    For a command (``exec:COMMAND``) the beginning of the name is yielded instead of its ends.
     """
     if is_program(name):
         yield name[:MOST_OF_A_COMMAND]
@@ -168,7 +169,7 @@ def _ends(name: str) -> Iterator[str]:
 
 
 COMPILED = (".c", ".cc", ".cpp", ".cxx", ".d", ".f90", ".go", ".hs", ".ml", ".nim", ".rs", ".zig")
-"""The suffixes of files that are sources of compiled code."""
+"""The suffixes of source files in languages that are compiled."""
 
 
 class SourceLine(Struct, frozen=True):
@@ -183,18 +184,19 @@ class SourceLine(Struct, frozen=True):
     line: int = 1
 
     def is_in(self, folder: Path) -> bool:
-        """Whether the file is in the project's folder, and in no package installed there."""
+        """Whether the file is in ``folder``, the project's, and in no package installed there."""
         return self.file.is_relative_to(folder) and "site-packages" not in self.file.parts
 
     def named_from(self, folder: Path) -> str:
-        """The path of the file, relative to a folder above the file; the separator is ``/``."""
+        """The path of the file, relative to ``folder``, in which it is; the separator is ``/``."""
         return self.file.relative_to(folder).as_posix()
 
 
 def files_of_explorer(name: str) -> list[Path]:
-    """The files of a user's explorer; the list is empty for a built-in explorer, or if unknown.
+    """The existing files of a user's explorer; empty for a built-in explorer, or if unknown.
 
-    If an explorer runs by a command (``exec:COMMAND``), its files are those that the command names.
+    The files of a Python explorer or a shared library are one file; those of an explorer that runs
+    by a command (``exec:COMMAND``) are the files that the command names.
     """
     try:
         return [file for file in _files_named(innermost(name)) if file.is_file()]
@@ -206,9 +208,10 @@ def place_of_explorer(name: str) -> SourceLine | None:
     """The line where a user's explorer begins; None for a built-in explorer, or if unknown.
 
     A Python explorer begins at the line of its function.  An explorer that runs by a command begins
-    at the first line of the last file that the command names; if it names none, at the first line
-    of the command's own file.  A compiled explorer begins at the first line of its source in the
-    same folder, such as explorer.c for explorer.so.
+    at the first line of the last file that the command names; if the command names no file, at the
+    first line of the file of the program.  If this file, or a shared library, is compiled, the
+    first line of its source in the same folder is returned, such as that of explorer.c for
+    explorer.so.
     """
     files, name = files_of_explorer(name), innermost(name)
     try:
@@ -226,7 +229,11 @@ def place_of_explorer(name: str) -> SourceLine | None:
 
 
 def _source(file: Path) -> Path | None:
-    """The file itself if it is a text; if it is compiled, the source of the same name beside it."""
+    """The file itself if it is a text; if it is compiled, its source in the same folder.
+
+    The source has the same name, perhaps without ``lib`` in front, and a suffix of
+    :data:`COMPILED`.  The result is None if there is no such file.
+    """
     with file.open("rb") as opened:
         if b"\0" not in opened.read(4096):
             return file
@@ -236,10 +243,13 @@ def _source(file: Path) -> Path | None:
 
 
 def _files_named(name: str) -> list[Path]:
-    """The files that an explorer's name means; ``name`` has no wrappers; the files may be missing.
+    """The paths of the files that an explorer's name can mean; there may be no file at a path.
+
+    ``name`` has no wrappers.  For a command, each word is taken for the path of a file, and each
+    module after ``-m`` for two paths.
 
     Raises:
-        InputError: if there is no such module.
+        InputError: if the name contains a module, and there is no such module.
         ValueError: if a command cannot be split into words.
     """
     if name in BUILT_IN:
@@ -266,7 +276,10 @@ def _where(name: str) -> tuple[str, list[str]]:
 
 
 def _line(tree: ast.Module, names: list[str]) -> int:
-    """The line where the function or class with a dotted name begins; 1 if there is none."""
+    """The number of the line where a function or class begins; 1 if there is none of its name.
+
+    ``tree`` is the syntax tree of the file, and ``names`` are the parts of the dotted name.
+    """
     body: list[ast.stmt] = tree.body
     line = 1
     for name in names:
@@ -281,11 +294,12 @@ def _line(tree: ast.Module, names: list[str]) -> int:
 
 
 OURS = "built-in"
-"""The digest of a built-in explorer, which changes only with the version of this program."""
+"""The text in place of a digest for built-in explorers, which change only with the version of this
+program."""
 
 
 def content_digest(subject: Subject) -> str:
-    """SHA-256 of the explorer's text, or of the digests of its files, in hexadecimal.
+    """The digest of an explorer: SHA-256, in hexadecimal, of its text, or of its files' digests.
 
     For a built-in explorer the result is :data:`OURS`.
 
@@ -316,10 +330,10 @@ def content_digest(subject: Subject) -> str:
 
 
 def with_content(subject: Subject) -> Subject:
-    """The subject with the text of its file, for other machines, if the explorer is one file.
+    """The subject with the text of its file (``source``), for other machines.
 
-    Otherwise the subject is returned unchanged.  For a module inside a package the text is not
-    enough: the other machine needs the package.
+    If the explorer is not one Python file, the subject is returned unchanged.  For a module inside
+    a package the text would not be enough: the other machine needs the package.
     """
     name = innermost(subject.name)
     where = name.partition("?")[0].rpartition(":")[0]
@@ -332,7 +346,13 @@ def with_content(subject: Subject) -> Subject:
 
 
 def not_alike(subject: Subject, digest: str, answer_timeout: float) -> str:
-    """The reason why this process cannot find the explorer with this digest; empty if it can."""
+    """The reason why this process cannot find the explorer with this digest; empty if it can.
+
+    Args:
+        subject: the explorer.
+        digest: the digest that :func:`content_digest` has returned in another process.
+        answer_timeout: the seconds of silence after which a program outside Python is killed.
+    """
     try:
         if is_program(subject.name):
             Program(command_or_path(subject.name), answer_timeout)
@@ -362,7 +382,9 @@ class ProgramWords(Request):
     ] = None
 
     def named(self, explorer: str | None) -> str | None:
-        """The name of the explorer that the argument or these options give; None if there is none.
+        """The name of the explorer that the command line gives; None if it gives none.
+
+        ``explorer`` is the argument of the command line; None if there is no argument.
 
         Raises:
             InputError: if several explorers are given.
@@ -378,7 +400,7 @@ class ProgramWords(Request):
         return next(iter(named.values()), None)
 
     def named_or_default(self, explorer: str | None) -> str:
-        """The name of the explorer that :meth:`named` returns; the default if none is given."""
+        """The name that :meth:`named` returns; :data:`DEFAULT_EXPLORER` if this is None."""
         name = self.named(explorer)
         return DEFAULT_EXPLORER if name is None else name
 
@@ -400,7 +422,7 @@ class ExplorerWords(ProgramWords):
     ] = None
 
     def value(self) -> str:
-        """The explorer's name; the default if none is given."""
+        """The explorer's name; :data:`DEFAULT_EXPLORER` if none is given."""
         return self.named_or_default(self.explorer)
 
 
