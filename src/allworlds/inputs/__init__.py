@@ -2,7 +2,7 @@
 
 ``checks``
     checks of values, and the error about bad input; guards against users' programs that set the
-    exit code of the process, or catch the interrupt of the user (Ctrl-C);
+    exit code of the process, or catch an interrupt by the user (Ctrl-C);
 ``nesting``
     the refusal of a check that begins inside another check;
 ``requests``

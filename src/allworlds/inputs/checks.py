@@ -1,7 +1,9 @@
 """Checks of values from outside, and the error about bad input.
 
 The judge calls functions of users.  The module also prevents these functions from setting the exit
-code of the process, because a caller would take this number for a verdict.
+code of the process, because the caller of ``allworlds`` would take this number for a verdict.
+
+Many functions have a parameter ``name`` or ``what``: the words for the value in an error's message.
 """
 
 from __future__ import annotations
@@ -24,33 +26,33 @@ if TYPE_CHECKING:
 
 
 SHOWN = 200
-"""The largest number of characters of a value that are shown."""
+"""The largest number of characters of a value that messages show."""
 
 LARGEST_SIZE = 100_000
 """The largest legal number of edges, or of vertices."""
 
 
 class InputError(ValueError):
-    """Bad input: one line that names the offending value and what would be legal."""
+    """The error about bad input; its message is one line: the offending value, and legal values."""
 
 
 class NotInstalled(InputError):
-    """Raised if a package is missing.
+    """Raised if a Python package is missing.
 
-    The message names the use of the package, and the extra that installs the package.
+    The message names the use of the package, and the extra of allworlds that installs the package.
     """
 
 
 class OutOfTime(BaseException):
     """Raised when the time of a job is up.
 
-    This error can be raised inside a user's model, such as a lighthouse, and must not be caught
-    there.
+    The error can be raised while a user's model runs, such as a lighthouse, and the code that calls
+    the model must not catch it.
     """
 
 
 class NestedCheck(InputError):
-    """Raised if a check causes another check to begin; else checks would begin without end."""
+    """Raised if code in a check begins another check; else checks would begin without end."""
 
 
 INTERRUPTS = [each for each in signal.Signals if each.name in ("SIGINT", "SIGTERM", "SIGHUP")]
@@ -58,7 +60,7 @@ INTERRUPTS = [each for each in signal.Signals if each.name in ("SIGINT", "SIGTER
 
 
 def at_interrupts(act: Any) -> None:
-    """Set ``act`` as the handler of each signal in :data:`INTERRUPTS`.
+    """Set ``act``, as :func:`signal.signal` takes it, as the handler of all :data:`INTERRUPTS`.
 
     Signals that this process ignores, for example under ``nohup``, stay ignored.
     """
@@ -69,7 +71,7 @@ def at_interrupts(act: Any) -> None:
 
 @contextmanager
 def interrupts_held() -> Iterator[None]:
-    """A context in which no interrupt arrives; pending interrupts arrive at its end."""
+    """A context in which no interrupt arrives; interrupts meanwhile arrive at the context's end."""
     before = signal.pthread_sigmask(signal.SIG_BLOCK, INTERRUPTS)
     try:
         yield
@@ -109,7 +111,10 @@ def let_users_interrupt(error: BaseException) -> None:
 
 
 def show(value: object) -> str:
-    """A short text of one line for any object, even if its repr fails."""
+    """A text of one line for any object, of :data:`SHOWN` characters at most.
+
+    If the object's ``repr`` fails, the text names the type of the object.
+    """
     try:
         text = str.__str__(repr(value))
     except BaseException as error:  # noqa: BLE001  # repr may be anybody's code
@@ -122,11 +127,13 @@ def show(value: object) -> str:
 
 
 def did_you_mean(name: str, known: Iterable[str], also: Mapping[str, str] | None = None) -> str:
-    """A hint such as ``; did you mean 'algorithm1'?``; empty if no name is similar.
+    """A hint such as ``; did you mean 'algorithm1'?``; empty if no known name is similar.
 
-    Of a known form such as ``wheel:N`` only the part before the colon is compared; the hint keeps
-    the rest of the given name.  ``also`` holds other words for known names, such as ``grid`` for
-    ``lattice``.
+    Args:
+        name: the given name.
+        known: the known names.  Of a form such as ``wheel:N`` only the part before the colon is
+            compared, and the hint keeps the rest of the given name.
+        also: other words for known names, such as ``grid`` for ``lattice``.
     """
     from difflib import get_close_matches  # which players do not need
 
@@ -148,7 +155,7 @@ def not_one_of(
     more: str = "",
     also: Mapping[str, str] | None = None,
 ) -> InputError:
-    """The error for a value that is none of the known names, with a hint at a similar name.
+    """The error about a value that is none of the known names, with a hint at a similar name.
 
     Args:
         what: the words for the value in the message.
@@ -182,10 +189,10 @@ def are_plain(values: Sequence[object]) -> bool:
 
 
 def an_integer(name: str, value: object) -> int:
-    """The value as an ``int``.
+    """``value`` as an ``int``.
 
     Raises:
-        InputError: naming the value, if it is no integer; a boolean counts as no integer.
+        InputError: with ``name``, if the value is no integer; a boolean counts as no integer.
     """
     try:
         return integer(value)
@@ -194,9 +201,10 @@ def an_integer(name: str, value: object) -> int:
 
 
 def a_word(name: str, words: Sequence[str]) -> Callable[[object], Any]:
-    """Return a function that returns its argument if it is one of these words.
+    """Return a function that returns its argument if this is one of ``words``.
 
-    For other values the function raises InputError.
+    For any other argument the function raises InputError; ``name`` names the argument in its
+    message.
     """
 
     def taken(given: object) -> object:
@@ -208,20 +216,20 @@ def a_word(name: str, words: Sequence[str]) -> Callable[[object], Any]:
 
 
 def at_most(name: str, value: float, most: int) -> None:
-    """Refuse a value above ``most``; a job of such a size could not be finished, or even printed.
+    """Refuse a value above ``most``: a job of such a size could not be finished, or even printed.
 
     Raises:
-        InputError: naming the value.
+        InputError: with ``name``, if the value is above ``most``.
     """
     if value > most:
         raise InputError(f"{name} = {show(value)} is too big; at most {most:,} is legal")
 
 
 def a_text(name: str, value: object) -> str:
-    """The value, if it is a text.
+    """``value``, which must be a text.
 
     Raises:
-        InputError: naming the value.
+        InputError: with ``name``, if the value is no text.
     """
     if not isinstance(value, str):
         raise InputError(f"{name} = {show(value)} is not a text")
@@ -229,10 +237,10 @@ def a_text(name: str, value: object) -> str:
 
 
 def a_path(name: str, value: object) -> Path:
-    """The value as a path.
+    """``value`` as a path.
 
     Raises:
-        InputError: naming the value, if it is no path.  An empty text is refused, too, because
+        InputError: with ``name``, if the value is no path.  An empty text is refused, too, because
             Python would take it for the current directory.
     """
     if value == "" or not isinstance(value, str | os.PathLike):
@@ -249,10 +257,10 @@ def a_path(name: str, value: object) -> Path:
 
 
 def existing_file(name: str, value: str) -> Path | None:
-    """The file at that path, made absolute; None if there is no file.
+    """The absolute path of the file at the path ``value``; None if there is no file.
 
     Raises:
-        InputError: if the value is no path, or its folder cannot be read.
+        InputError: with ``name``, if ``value`` is no path, or its folder cannot be read.
     """
     # Unlike Path.resolve, this accepts a loop of links, which leads to no file.
     path = a_path(name, value)
@@ -264,7 +272,7 @@ def existing_file(name: str, value: str) -> Path | None:
 
 
 def is_loop_of_links(path: str | Path) -> bool:
-    """Whether the links at that path form a loop, which leads to no file."""
+    """Whether the symbolic links at ``path`` form a loop, which leads to no file."""
     try:
         os.stat(path)  # noqa: PTH116  # takes any text
     except ValueError:
@@ -275,9 +283,9 @@ def is_loop_of_links(path: str | Path) -> bool:
 
 
 def no_file(path: str, hint: str = "") -> str:
-    """The reason why there is no file at that path.
+    """The message that there is no file at ``path``.
 
-    ``hint`` is added to the reason, unless the reason is a loop of links.
+    ``hint`` is added to the message, except if symbolic links form a loop there.
     """
     if is_loop_of_links(path):
         return f"{show(path)} is a loop of links"
@@ -285,31 +293,40 @@ def no_file(path: str, hint: str = "") -> str:
 
 
 INSTALL = "in a clone of allworlds, pip install '.[{}]'"
-"""The instruction for the installation of an extra."""
+"""The instruction for the installation of an extra, whose name replaces ``{}``."""
 
 
 def ensure_installed(package: str, extra: str, what: str) -> None:
     """Raise NotInstalled unless the package can be imported.
 
+    Args:
+        package: the name of the Python package.
+        extra: the extra of allworlds that installs the package.
+        what: the words for the use of the package, such as an option.
+
     Raises:
-        NotInstalled: naming ``what``, which is the use of the package, and the extra that installs
-            the package.
+        NotInstalled: with all three.
     """
     if lack := lack_of(package, extra):
         raise NotInstalled(f"{what} {lack}")
 
 
 def lack_of(package: str, extra: str) -> str:
-    """A text that names a missing package and the extra for it; empty if it is installed."""
+    """The words that a package is missing, and that ``extra`` installs it; empty if it is there."""
     return "" if find_spec(package) else f"needs {package}: {INSTALL.format(extra)}"
 
 
 def parse_json(text: str, kind: type[InputError] = InputError, file: str = "") -> Any:
-    """The value of a JSON text; ``file`` names its file in errors.
+    """The value of a JSON text.
+
+    Args:
+        text: the text.
+        kind: the class of errors.
+        file: the name of the file with the text, for the message; empty if there is no file.
 
     Raises:
-        InputError: of class ``kind``, if the text is no JSON, or if an object has a key twice, so
-            that its value is ambiguous.
+        InputError: of the class ``kind``, if the text is no JSON, or if an object has a key twice,
+            so that the value of this key is ambiguous.
     """
 
     def once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
@@ -331,7 +348,7 @@ def parse_json(text: str, kind: type[InputError] = InputError, file: str = "") -
 
 @contextmanager
 def in_file(name: str) -> Iterator[None]:
-    """A context in which errors about bad input name the file, unless the name is empty."""
+    """A context in which each InputError names the file ``name``; if this is empty, no file."""
     try:
         yield
     except InputError as error:
@@ -339,10 +356,10 @@ def in_file(name: str) -> Iterator[None]:
 
 
 def read_text(path: str) -> str:
-    """The text of a file that the user names; ``-`` stands for stdin.
+    """The text of the file at ``path``, which a user has given; ``-`` stands for stdin.
 
     Raises:
-        InputError: naming the file and the reason why it cannot be read.
+        InputError: with the path, and the reason why the file cannot be read.
     """
     try:
         if path == "-":
@@ -357,12 +374,12 @@ def read_text(path: str) -> str:
 
 
 def integer_of(text: str) -> int:
-    """The integer in a text such as ``-12``.
+    """The integer that a text such as ``-12`` stands for.
 
-    Unlike ``int``, this function refuses ``1_0``, and digits of other scripts.
+    Unlike ``int``, this function refuses ``1_0``, and digits other than 0 to 9.
 
     Raises:
-        ValueError: if the text is no integer; the message is fit for users.
+        ValueError: if the text is no integer; users can understand the message.
     """
     if re.fullmatch(r"[+-]?[0-9]{1,4000}", text):
         return int(text)
@@ -370,10 +387,10 @@ def integer_of(text: str) -> int:
 
 
 def seconds_of(text: str) -> float:
-    """The number of seconds in a text such as ``1.5`` or ``inf``.
+    """The number of seconds that a text such as ``1.5`` or ``inf`` stands for.
 
     Raises:
-        ValueError: if the text is no number; the message is fit for users.
+        ValueError: if the text is no number; users can understand the message.
     """
     if re.fullmatch(r"[+-]?([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][+-]?[0-9]+)?|-?inf|nan", text):
         return float(text)
@@ -394,9 +411,9 @@ ENDINGS = {name: getattr(os, name) for name in ("_exit", "execv", "execve")}
 class _Kept:
     """The holder of ``process``: the id of the process that refuses functions which would end it.
 
-    In this process the functions in :data:`ENDINGS`, such as ``os._exit``, raise SystemExit.  In a
-    forked process, which has another id, they do what they always do.  The id is 0 if no process
-    refuses them.
+    In the process with this id the functions in :data:`ENDINGS`, such as ``os._exit``, raise
+    SystemExit.  In a forked process, which has another id, these functions do what they always do.
+    The id is 0 if no process refuses these functions.
     """
 
     process = 0

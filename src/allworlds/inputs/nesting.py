@@ -1,7 +1,7 @@
-"""The refusal of nested checks: a check must not begin while another check plays or loads a file.
+"""The refusal of nested checks: a check must not begin in a player, or while a file is loaded.
 
-Without the refusal, a file that begins a check when it is imported would begin another check in
-each player that imports the file.
+Without the refusal, a user's file that begins a check when it is imported would begin another check
+in each player that imports the file.
 """
 
 from __future__ import annotations
@@ -17,7 +17,8 @@ from types import FrameType
 from allworlds.inputs.checks import NestedCheck, show
 
 PLAYER = "ALLWORLDS_PLAYER"
-"""The environment variable that marks players, and all processes that users' code starts there."""
+"""The environment variable that marks players, and all processes that users' code in a player
+starts."""
 
 SAID = "begins a check where none may begin"
 """The words that each refusal contains, also when a program prints the refusal."""
@@ -48,9 +49,9 @@ def ensure_outermost() -> None:
 
 
 def refusal_in(words: str) -> NestedCheck | None:
-    """The refusal of a nested check, if the last line of ``words`` is such a refusal; else None.
+    """The error about a nested check, if the last line of ``words`` is its message; else None.
 
-    ``words`` are the lines that a program has printed.
+    ``words`` are the lines that a program has printed, perhaps after a check in it was refused.
     """
     last = words.rstrip().rpartition("\n")[2]
     return NestedCheck(last.partition(": ")[2]) if SAID in last else None
@@ -73,5 +74,5 @@ def _is_imported(frame: FrameType) -> bool:
 
 
 def _of_program(frame: FrameType) -> Mapping[str, object]:
-    """The variables of a frame of the main program; empty for other frames."""
+    """The global variables of a frame of a Python stack; empty if it is not of the main program."""
     return frame.f_globals if frame.f_globals.get("__name__") == "__main__" else {}

@@ -1,10 +1,12 @@
 """Requests: the arguments of a verb as one value.
 
-A *request* (:class:`Request`) consists of parts that verbs share.  Each field has a type, a default
-and an annotation: an :class:`Option` describes the form of the field on the command line, and a
-plain text describes a field that only Python has.  From the same class follow the function in
-Python (:func:`answers`), the command line (``allworlds.cli.app``), and the values by which a run
-directory is recognised (:func:`meant`).
+A *verb* is a command such as ``check``, which is also a function in Python.  Its *request* is an
+object of a class of its own, a subclass of :class:`Request`, with a field for each argument.  The
+class inherits most fields from *parts*, which are classes that several verbs share.  Each field has
+a type, a default and an annotation: an :class:`Option` describes the form of the field on the
+command line, and a plain text describes a field that only Python has.  Three things are made from
+this class: the function in Python (:func:`answers`), the command line (``allworlds.cli.app``), and
+the values by which a run directory is recognised (:func:`meant`).
 """
 
 import inspect
@@ -44,10 +46,11 @@ PANELS = (SCOPE, RULES, EFFORT, OUTPUT)
 
 
 class Rare(str):
-    """The name of a panel of the help, as the mark of an option that is rarely needed.
+    """The name of a panel of the help, for the options in this panel that are rarely needed.
 
-    If a verb has many options, ``--help`` leaves out the options with this mark, and
-    ``--help-all`` shows all options.  Other verbs show all options by ``--help``.
+    An option is rarely needed if its ``panel`` is an object of this class, not a plain text.  If a
+    verb has many options, ``--help`` leaves out those that are rarely needed, and ``--help-all``
+    shows all options.  Other verbs show all options by ``--help``.
     """
 
     __slots__ = ()
@@ -59,7 +62,8 @@ EXPLORER_FIELDS = ("explore", "explorers")
 """The fields of requests that name explorers to be played."""
 
 GIVEN_IN_FILE: ContextVar[frozenset[str]] = ContextVar("given in a file", default=frozenset())
-"""The options whose defaults a user's file sets, so that printed commands name the options."""
+"""The names of the options whose defaults a user's file sets.  Commands that are printed name these
+options even if they have their default values, so that the commands do not depend on the file."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,16 +71,17 @@ class Option:
     """The form of a field on the command line.
 
     Attributes:
-        panel: the panel of the help in which the option is shown.
+        panel: the panel of the help in which the option is shown; of the class :class:`Rare` if the
+            option is rarely needed.
         metavar: the word for the value in the help; empty for a flag.
         help: the description in a line or two, also for Python.
         name: the name of the option, without dashes; by default the name of the field.
         short: a letter as a second name.
-        parse: the function from the text to the value of the field.
+        parse: the function that makes the value of the field from the text on the command line.
         default: the text that is parsed if the option is not given; if this text is empty, the
-            field has its own default if the option is not given.
-        apart: whether results are independent of the option, because it only tells where, how long
-            or for whom a job is done.
+            default of the field is taken instead.
+        apart: whether results are independent of the option, because the option only tells where,
+            how long or for whom a job is done.
         repeated: whether the option may be given several times; the field then gets a list.
         document_type: the type and the meaning of the option's key in documents; by default the
             field's type, and the help.
@@ -105,7 +110,8 @@ class OptionGroup:
     """The form of a field for which the command line has several options.
 
     Attributes:
-        words: the dataclass of these options; its method ``value`` returns the value of the field.
+        words: the class of requests with these options; its method ``value`` returns the value of
+            the field.
         help: the description of the field for Python.
     """
 
@@ -114,9 +120,11 @@ class OptionGroup:
 
 
 class Converted(Generic[Given, Value]):
-    """A field that takes a user's value, converts it, and holds the converted value.
+    """A field that takes a user's value, converts the value, and holds the result.
 
-    ``field: Converted[str, Color] = Converted(color_named, "red")``
+    In a class with ``field: Converted[str, Color] = Converted(color_named, "red")`` the user gives
+    a ``str``, the function ``color_named`` makes a ``Color`` from it, and the field holds this
+    ``Color``; if the user gives nothing, "red" is converted.
     """
 
     def __init__(self, take: Callable[[Given], Value], default: Given) -> None:
@@ -159,10 +167,11 @@ class Request:
 
     @property
     def in_effect(self) -> dict[str, Any]:
-        """Values for the scope of a report, by key; they replace the options' values there.
+        """Values for the scope of a report, by their keys there.
 
-        A subclass returns values that took effect but are no option's value, such as the digest of
-        a given file.  By default there are none.
+        A value replaces that of the option with the same key.  A subclass returns values that took
+        effect without being the value of an option, such as the digest of a given file.  By default
+        there are none.
         """
         return {}
 
@@ -173,8 +182,10 @@ class Field(NamedTuple):
     Attributes:
         name: the name in Python.
         type: the type of the values that callers may give.
-        held: the type of the value that the field holds.
-        asked: the annotation that describes the field: an option, a group of options, or a text.
+        held: the type of the value that the field holds; another one than ``type`` if the field is
+            a :class:`Converted`.
+        asked: the annotation that describes the field: an option, a group of options, or a text;
+            None without an annotation.
         default: the default value.
     """
 
@@ -191,7 +202,7 @@ class Field(NamedTuple):
 
 
 def fields_of(request: type[Any]) -> Iterator[Field]:
-    """The fields of a class of requests, in the order of the constructor."""
+    """The fields of a class of requests, in the order of the constructor's arguments."""
     hints = get_type_hints(request, include_extras=True)
     for each in fields(request):
         kind, asked = hints[each.name], None
@@ -202,7 +213,10 @@ def fields_of(request: type[Any]) -> Iterator[Field]:
 
 
 def values_of(part: type[Request], request: object) -> dict[str, Any]:
-    """The values of a request in the fields of ``part``, by the names of the fields."""
+    """The values that ``request`` has in the fields of the class ``part``, by the fields' names.
+
+    ``request`` needs attributes of these names; its class need not inherit from ``part``.
+    """
     return {each.name: getattr(request, each.name) for each in fields(part)}
 
 
@@ -211,7 +225,8 @@ def answers(
 ) -> Callable[[Callable[[Asked], Answer]], Callable[P, Answer]]:
     """Turn a function that takes a request into one that takes the request's fields as keywords.
 
-    Type checkers know the keywords.  The docstring describes each keyword by the words of the help.
+    ``request`` is the class of the request; the result is a decorator.  Type checkers know the
+    keywords of the new function, and its docstring describes each keyword in the words of the help.
     """
 
     def made(answered: Callable[[Asked], Answer]) -> Callable[P, Answer]:
@@ -229,18 +244,20 @@ def takes_fields(
     several: str = "",
     answered: Callable[[Any], Any] | None = None,
 ) -> Callable[[Callable[P, Answer]], Callable[P, Answer]]:
-    """Give a function that takes the fields of a request a signature and a docstring with them.
+    """Return a decorator for a function whose keywords are the fields of a request.
 
-    The decorated function takes the fields as keywords.  It is only called with legal keywords and,
-    if the request names explorers, never inside another check.
+    The new function has a signature and a docstring with all these fields.  It calls the decorated
+    function only with legal keywords and, if the request names explorers, never inside another
+    check.
 
     Args:
         request: the class of the request.
         several: the name of a field whose values the function takes as any number of positional
             arguments; empty if there is no such field.
-        answered: the function that gives the same answer, but takes a request; :func:`answer` calls
-            it.  By default it is the function that :func:`answers` has turned into the decorated
-            function.
+        answered: the function that :func:`answer` calls for the new function; it takes an object
+            of the class ``request``, and returns the same answer as the decorated function.  None
+            is only legal if :func:`answers` has made the decorated function; then it is the
+            function that was given to ``answers``.
     """
 
     def made(function: Callable[P, Answer]) -> Callable[P, Answer]:
@@ -274,10 +291,10 @@ def takes_fields(
 def ensure_takes(
     name: str, signature: inspect.Signature, /, *args: object, **keywords: object
 ) -> None:
-    """Raise TypeError unless a function of that name and signature accepts these arguments.
+    """Raise TypeError unless a function with this name and signature accepts these arguments.
 
     Raises:
-        TypeError: with the words of Python's own error.
+        TypeError: with the words that Python itself uses for such an error.
     """
     try:
         signature.bind(*args, **keywords)
@@ -286,16 +303,20 @@ def ensure_takes(
 
 
 def answer(function: Callable[..., Answer], request: object) -> Answer:
-    """Answer a request by a function that :func:`takes_fields` has made for its fields.
+    """Answer a request, an object, by a function that takes the request's fields as keywords.
 
-    The function that takes the request itself is called, see :func:`takes_fields`.
+    :func:`takes_fields` has made ``function``.  What is called is not ``function``, but the
+    function named ``answered`` there, which takes the request itself.
     """
     answered: Answer = inspect.unwrap(function)(request)
     return answered
 
 
 def _with_arguments(text: str, fields_: Iterable[Field]) -> str:
-    """The docstring with a section ``Args:`` that describes each field."""
+    """The docstring ``text`` with a further section ``Args:``, which describes each field.
+
+    The new section stands before the section ``Raises:``, if there is one.
+    """
     lines = ["Args:"]
     for each in fields_:
         about = each.asked if isinstance(each.asked, str) else getattr(each.asked, "help", "")
@@ -305,10 +326,11 @@ def _with_arguments(text: str, fields_: Iterable[Field]) -> str:
 
 
 def meant(request: object) -> dict[str, Any]:
-    """The values of a request on which its answer depends, except the explorer, as JSON.
+    """The values of a request's options on which its answer depends, as JSON, by option names.
 
-    A value that JSON cannot express is replaced by its name.  The key ``code`` holds the texts of
-    users' programs, so that they can be loaded again, and the digests of given files.
+    The explorer is not among them.  A value that JSON cannot express is replaced by its text.  If
+    the request uses programs or files of a user, the further key ``code`` holds the texts of the
+    programs, so that they can be loaded again, and the digests of the files.
     """
     values = [getattr(request, each.name) for each in _meant(type(request))]
     values.append(getattr(request, "given", None))
@@ -318,12 +340,15 @@ def meant(request: object) -> dict[str, Any]:
 
 
 def meant_by(part: type[Any], request: object) -> dict[str, Any]:
-    """The values of a request in the options of ``part`` on which its answer depends, as JSON."""
+    """The values of ``request`` in those options of ``part`` on which the answer depends, as JSON.
+
+    ``part`` is a class of requests whose fields ``request`` has; the keys are the options' names.
+    """
     return {each.option: as_json(getattr(request, each.name)) for each in _meant(part)}
 
 
 def as_json(value: object) -> Any:
-    """The JSON value for a value of a request; a value that JSON cannot express becomes a text."""
+    """The JSON value for the value of a field; a value that JSON cannot express becomes a text."""
     if isinstance(value, tuple | list):
         return [*value]
     if value is None or isinstance(value, str | int | float):
@@ -332,9 +357,14 @@ def as_json(value: object) -> Any:
 
 
 def given_again(part: type[Any], request: object, but: Iterable[str] = ()) -> list[str]:
-    """The words of the command line that give the values of this part of a request again.
+    """The words of a command line that give these values of a request once more.
 
-    Options with default values, and the fields in ``but``, are left out.
+    Options with default values are left out, except those in :data:`GIVEN_IN_FILE`.
+
+    Args:
+        part: the class of requests whose options are given, as far as the answer depends on them.
+        request: the request, which has the fields of ``part``.
+        but: the names of further fields to leave out.
     """
     words, left, in_file = list[str](), {*but}, GIVEN_IN_FILE.get()
     for each in _meant(part):
@@ -347,14 +377,18 @@ def given_again(part: type[Any], request: object, but: Iterable[str] = ()) -> li
 
 
 def remembered(request: type, options: Mapping[str, Any]) -> dict[str, Any]:
-    """The keywords that make a request again from the options that :func:`meant` has returned."""
+    """The keywords from which the class ``request`` makes a request again.
+
+    ``options`` holds the values that :func:`meant` has returned for the earlier request.
+    """
     return {each.name: options[each.option] for each in _meant(request)}
 
 
 def without_effort(request: T) -> T:
     """A copy of the request with default values for the options on which no result depends.
 
-    These are the options with ``apart``; only the option ``shard`` keeps its value.
+    These are the options whose attribute ``apart`` is true; but the option ``shard`` keeps its
+    value.
     """
     apart = (
         each
@@ -365,7 +399,10 @@ def without_effort(request: T) -> T:
 
 
 def in_scope(request: type[Any]) -> Iterator[Field]:
-    """The fields of a request that are keys of the scope: they tell what is checked and how."""
+    """The fields of a class of requests that are keys of a report's scope.
+
+    They are the options that tell what is checked, or how it is judged.
+    """
     return (
         each
         for each in _meant(request)
@@ -374,7 +411,7 @@ def in_scope(request: type[Any]) -> Iterator[Field]:
 
 
 def _meant(request: type[Any]) -> Iterator[Field]:
-    """The fields of a request that are options on which the answer depends."""
+    """The fields of a class of requests that are options on which the answer depends."""
     for each in fields_of(request):
         if isinstance(each.asked, Option) and not each.asked.apart:
             yield each
