@@ -1,4 +1,7 @@
-"""The walk of a run in the map of its answer; the first step at which the world contradicts it."""
+"""The walk of a run in the map of the run's answer, compared with the walk in the world.
+
+The two walks *diverge* at the first step at which the answer and the world contradict each other.
+"""
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
@@ -17,7 +20,8 @@ from allworlds.world.state import State
 def trail_to(map_: CombinatorialMap, here: Dart, walk: Walk | Transcript) -> list[Dart]:
     """The robot's darts in ``map_``, at the start and after each step of a walk to ``here``.
 
-    Motions are reversible, so the walk is traced back from ``here`` to its beginning.
+    Its actions are those of ``walk``.  Motions are reversible, so the walk in ``map_`` is traced
+    back from ``here`` to its beginning.
     """
     trail = [here]
     for action in reversed(walk.actions):
@@ -30,7 +34,10 @@ def trail_to(map_: CombinatorialMap, here: Dart, walk: Walk | Transcript) -> lis
 
 
 def trail_from(map_: CombinatorialMap, start: Dart, walk: Walk) -> Iterator[Dart]:
-    """The robot's darts in this map, at the start and after each step, with ``start`` first."""
+    """The robot's darts in ``map_``, at the start and after each step of the walk from ``start``.
+
+    The actions are those of ``walk``.
+    """
     yield (dart := start)
     for action, _ in walk.steps:
         if type(action) is actions.Move:
@@ -41,12 +48,17 @@ def trail_from(map_: CombinatorialMap, start: Dart, walk: Walk) -> Iterator[Dart
 def believed_percepts(
     walk: Walk, estimate: CombinatorialMap, trail: Sequence[Dart]
 ) -> list[actions.Percept] | None:
-    """The percepts that the estimated map predicts, at the start and after each step.
+    """The percepts that the map of an answer predicts, at the start and after each step.
 
-    ``trail`` holds the robot's darts in the estimated map.  The method ``believed`` of the world's
-    lighthouse gives the place of the lighthouse in this map: usually the place that it has in the
-    world, but seen from the first dart of ``trail`` instead of the start.  The result is None if
-    the map has no such place.
+    The method ``believed`` of the world's lighthouse finds the place of the lighthouse in this map.
+    For most kinds it has there the same number, or lies as many darts from the start, as in the
+    world; the start is then the first dart of ``trail``.  The result is None if there is no such
+    place.
+
+    Args:
+        walk: the robot's walk in the world.
+        estimate: the map of the answer.
+        trail: the robot's darts in this map, at the start and after each step.
     """
     world, answered = walk.world, WalkInAnswer(estimate, trail, walk.percepts)
     lighthouse = world.lighthouse.believed(world.map, world.start, answered)
@@ -88,19 +100,19 @@ def find_parting(
     believed: Sequence[Dart],
     fits: Sequence[bool],
 ) -> Parting | None:
-    """The first step at which the two walks diverge; None if they never do.
+    """The first step at which the walks in the world and in the answer diverge; None if at none.
 
     After each step the robot stands at a dart of the world and at a dart of the answer.  These two
     darts are paired.  Then the next darts clockwise are paired, and so on round the two vertices.
-    The walks diverge when a pair contradicts an earlier pair, or when a percept does not fit.
+    The walks diverge when one dart gets two partners, or when a percept does not fit.
 
     Args:
         world: the true map.
         walked: the robot's darts in the world, at the start and after each step.
         answer: the estimated map.
         believed: the robot's darts in the answer, at the start and after each step.
-        fits: for each step whether the answer predicts the percept; if it does, the two vertices
-            have the same degree.
+        fits: for the start and each step whether the answer predicts the sensed percept; if it
+            does, the robot's vertices in the world and in the answer have the same degree.
 
     Cost: linear in the steps and the darts.
     """
@@ -121,13 +133,14 @@ class BelievedWalk(Struct, frozen=True):
     """A walk in the map of an answer, compared step by step with the walk in the world.
 
     Attributes:
-        trail: the robot's darts in the answer at the start and after each step; the last dart is
+        trail: the robot's darts in the answer, at the start and after each step; the last dart is
             the answer's ``here``.
-        percepts: the percepts that the answer predicts; None if its map has no place for the
-            lighthouse.
+        percepts: the percepts that the answer predicts, at the start and after each step; None if
+            the answer's map has no place for the lighthouse.
         expected: equal to ``percepts``; if ``percepts`` is None, percepts that hold nothing but the
             degrees in the answer.
-        misfits: the steps at which the sensed percept differs from the expected one.
+        misfits: the steps at which the sensed percept differs from the expected one; 0 is the
+            start.
         parting: the first step at which the walks diverge; None if they never do.
     """
 
@@ -144,17 +157,18 @@ class BelievedWalk(Struct, frozen=True):
 
 
 def believed_walk(walk: Walk, answer: actions.Estimate) -> BelievedWalk:
-    """The walk in the answer that agrees for longest with the walk in the world.
+    """The walk in the answer that agrees for longest with ``walk``, the walk in the world.
 
-    The first candidate is the walk that ends at ``here``.  But an explorer may have been right up
-    to its last step, and then have given a wrong ``here``.  So there is a further candidate for
-    each dart of the answer: the walk that begins at this dart, but with ``here`` as its last dart.
-    A further candidate counts only if the walk in the world contradicts it somewhere.
+    The first candidate is the walk with the same actions that ends at ``here``.  But an explorer
+    may have been right up to its last step, and then have given a wrong ``here``.  So, if the first
+    candidate diverges before the last step, each dart of the answer gives a further candidate: the
+    walk that begins at this dart, in which ``here`` replaces the last dart.  Its last step need not
+    be possible in the answer.  So a further candidate is left out if it never diverges from the
+    walk in the world: one could think that the answer fits the whole log.
 
-    The candidates are compared in an order: first the walk that ends at ``here``, then the others,
-    by the number of steps from the start on in which the degrees in the answer equal the sensed
-    degrees, the largest number first.  For equal numbers the walk from the smaller dart comes
-    first.  If several candidates agree equally long, the first of them in this order is returned.
+    If several candidates agree equally long, the walk that ends at ``here`` is preferred, and then
+    the candidate in which the degrees in the answer equal the sensed degrees for the most steps
+    from the start on; of these, the one that begins at the smallest dart.
 
     Cost: for each dart of the answer at most linear in the steps and the darts.
     """
@@ -177,7 +191,10 @@ def believed_walk(walk: Walk, answer: actions.Estimate) -> BelievedWalk:
 
 
 def _alike(map_: CombinatorialMap, trail: Iterable[Dart], degrees: Sequence[int]) -> int:
-    """The number of darts of the trail before the first dart whose degree is not the sensed one."""
+    """The number of darts of ``trail`` before the first one whose degree is not the sensed one.
+
+    The degree of a dart is that of its vertex in ``map_``; ``degrees`` holds the sensed degrees.
+    """
     pairs = zip(trail, degrees, strict=True)
     return next(
         (step for step, (dart, degree) in enumerate(pairs) if map_.degree_at[dart] != degree),

@@ -1,6 +1,7 @@
 """The comparison of two plays of one run, and the broken law of an explorer whose plays differ.
 
-These are pure functions of two logs.  Other modules judge what the logs contain.
+In the first play the explorer walks in the world; in the second it gets the percepts of the first
+play.  Each play gives a log.  These functions only compare logs; other modules judge them.
 """
 
 from collections.abc import Sequence
@@ -16,16 +17,21 @@ from allworlds.protocol import actions
 from allworlds.world.world import World
 
 SHOWN_BEFORE, SHOWN_AFTER = 8, 4
-"""The numbers of shown actions: before the first action that differs, and from this action on."""
+"""The largest numbers of actions of a play that are shown: before the first action that differs in
+the two plays, and from this action on."""
 
 
 def overruled(outcome: Outcome, first: Log, second: Log, *, choices: bool = False) -> Outcome:
     """The outcome of the first play, or an outcome which says that the two plays differ.
 
-    If the plays differ, the law ``nondeterministic`` is broken, with one exception: the outcome of
-    the first play stays if both plays break the same law, this law comes before
-    ``nondeterministic`` in the order of precedence, and it is neither ``crash`` nor ``timeout``.
-    The parameter ``choices`` is that of :func:`difference_of`.
+    If the plays differ, the law ``nondeterministic`` is broken, with one exception: ``outcome``
+    stays if both plays break the same law, this law comes before ``nondeterministic`` in the order
+    of precedence, and it is neither ``crash`` nor ``timeout``.
+
+    Args:
+        outcome: the outcome of the first play.
+        first, second: the logs of the two plays.
+        choices: whether the choices are compared, too; see :func:`difference_of`.
     """
     difference = difference_of(first, second, choices=choices)
     if difference is None or not _may_be_overruled(outcome.violation, second):
@@ -37,11 +43,12 @@ def overruled(outcome: Outcome, first: Log, second: Log, *, choices: bool = Fals
 
 
 def _may_be_overruled(violation: Violation | None, second: Log) -> bool:
-    """Whether a difference of two plays may replace the first play's violation.
+    """Whether the violation of ``nondeterministic`` may replace ``violation``, if two plays differ.
 
-    A difference may do so in four cases: there is no violation; the violated law is ``crash`` or
-    ``timeout``, which a run may break because of the machine; the second play does not end with a
-    fault by the violated law; or the law ``nondeterministic`` has precedence over the violated law.
+    ``violation`` is that of the first play, or None; ``second`` is the log of the second play.  The
+    replacement is legal in four cases: ``violation`` is None; its law is ``crash`` or ``timeout``,
+    which a run may break because of the machine; the second play does not end with a fault by the
+    same law; or ``nondeterministic`` stands before this law in the order of precedence.
     """
     if violation is None or violation.law in LOST:
         return True
@@ -57,9 +64,10 @@ def difference_of(first: Log, second: Log, *, choices: bool = False) -> Violatio
     The texts of faults are not compared, because they may contain an address or a time.
 
     Args:
-        first: the play in the world.
-        second: the play that got the percepts of the first play.
-        choices: whether the choices are compared, too; needed only if every schedule is tried.
+        first: the log of the play in the world.
+        second: the log of the play in which the explorer got the percepts of the first play.
+        choices: whether the explorer's choices are compared, too, and not only actions and ending;
+            needed only if every schedule is tried.
     """
     actions, again = [*first.actions], [*second.actions]
     if actions != again:
@@ -85,7 +93,7 @@ def difference_of(first: Log, second: Log, *, choices: bool = False) -> Violatio
 
 
 def side_by_side(first: tuple[list[str], str], second: tuple[list[str], str]) -> str:
-    """Two lines, one for each play: the actions near the first difference, and the ending.
+    """A text of two lines, one for each play: its actions near the first difference, its ending.
 
     Each play is given as :func:`in_words` returns it.
     """
@@ -101,7 +109,7 @@ def side_by_side(first: tuple[list[str], str], second: tuple[list[str], str]) ->
 
 
 def in_words(log: Log) -> tuple[list[str], str]:
-    """The actions of a play and its ending, as texts."""
+    """The actions of a play, each as a text, and the play's ending as a text."""
     return [str(actions.action_numbered(number)) for number in log.actions], _ending(log)
 
 
@@ -122,9 +130,11 @@ def nondeterministic(seen: str) -> Violation:
 
 
 def _meaning(log: Log) -> object:
-    """The part of the ending that must be equal in both plays: the answer or the broken law.
+    """The part of a play's ending that must be equal in both plays: the answer or the broken law.
 
-    The result is None if the play ended with a refused action, after which there is no percept.
+    The result is None if the last action of the play got no percept: in the play in the world the
+    action was illegal there, or in the second play the recorded percepts had come to their end.
+    If both plays have the same actions, these two endings mean the same.
     """
     if log.ending[0] in (entries.BEYOND, entries.REFUSED):
         return None  # there is no percept after a refused action
@@ -135,8 +145,8 @@ def _meaning(log: Log) -> object:
 def after_worlds(outcome: Outcome, worlds: Sequence[World]) -> Outcome:
     """The outcome of a run whose two plays differ because of earlier runs in these worlds.
 
-    The worlds are added to the outcome, and named in its violation.  An outcome without the
-    violation ``nondeterministic`` is returned unchanged.
+    The worlds are added to ``outcome``, and their number is named in its violation.  An outcome
+    whose violation is not of the law ``nondeterministic`` is returned unchanged.
     """
     violation = outcome.violation
     if violation is None or violation.law != "nondeterministic":

@@ -1,6 +1,7 @@
-"""Episodes: the log of a run, followed through its world, and the ending of the run.
+"""Episodes: an *episode* is the log of a run, followed through the world, with the run's ending.
 
-All percepts come from the world; none is taken from a player.
+The log holds only the explorer's messages.  All percepts come from the world; none is taken from a
+player.
 """
 
 import json
@@ -19,15 +20,15 @@ from allworlds.protocol.choices import Choices
 from allworlds.world.world import World
 
 RECORD_ENDS = "nothing: the record ends here"
-"""The words for the legal actions after the last recorded percept: no action is legal then."""
+"""The words in findings for the legal actions after the last recorded percept: there are none."""
 
 
 class Answered(Struct, frozen=True):
     """The explorer has returned a well-formed answer.
 
     Attributes:
-        answer: an estimate; a rooted quotient with valid permutations and ``here`` among its
-            darts; or any JSON value if the task allows any answer.
+        answer: an estimate; a rooted quotient with valid permutations and ``here`` among the darts;
+            or, if the task allows any answer, a JSON value.
     """
 
     answer: Any
@@ -80,12 +81,13 @@ class Episode(Struct, frozen=True):
 class AroundExplorer:
     """The surroundings of an explorer in one run: the world, and the robot's walk in it so far.
 
-    The object answers each action with a copy of the percept; this is all that the explorer gets.
+    The surroundings answer each action with a copy of the percept, which is all that the explorer
+    gets.
 
     Args:
         world: the world.  An action adds a step to the walk, and does not change the world.
-        over: the function that tells after each step whether the task is done and the run ends;
-            None if the task ends no run.
+        over: the function that tells after each step whether the task is done, so that the run
+            ends; None if the run never ends because of the task.
     """
 
     def __init__(self, world: World, over: Callable[[Walk], bool] | None = None) -> None:
@@ -129,13 +131,14 @@ def play(
     Args:
         world: the world; the run does not change it, and the explorer does not see it.
         player: the explorer.
-        choices: the choices, for an explorer that takes choices.
+        choices: the object that makes the choices, for an explorer that takes choices.
         budget: the largest legal number of traversals; ``budget + 1`` checkpoints are legal.
         beat: two numbers by which another process can notice that the explorer is silent.
             ``beat[0]``, the number of the run, is not changed here; ``beat[1]`` is the number of
             the explorer's turn, and is 0 after the end of the run.  None: no process reads them.
-        maps: whether the task asks for a map.
-        over: the function that tells whether the task is done; None if the task ends no run.
+        maps: whether the task asks for a map; else any answer is allowed.
+        over: the function that tells whether the task is done, so that the run ends; None if the
+            run never ends because of the task.
 
     Cost: linear in the steps, and the explorer's own cost.
     """
@@ -152,8 +155,8 @@ def followed(log: Log, world: World, budget: int, *, maps: bool = True) -> Episo
     Args:
         log: the log.
         world: the world.
-        budget: the largest legal number of traversals.
-        maps: whether the task asks for a map.
+        budget: the largest legal number of traversals in the run; only named in faults.
+        maps: whether the task asks for a map; only important for the words of a fault.
 
     Raises:
         IllegalAction: if the log goes on after an action that is illegal in this world.
@@ -185,7 +188,8 @@ def followed(log: Log, world: World, budget: int, *, maps: bool = True) -> Episo
 def fault_of(log: Log, budget: int = 0, *, maps: bool = True) -> Fault | None:
     """The fault with which a log ends; None if the log ends with an answer, or with a done task.
 
-    ``budget`` and ``maps`` are those of :func:`followed`; they only change the words of the fault.
+    ``budget``, the largest legal number of traversals, and ``maps``, whether the task asks for a
+    map, only change the words of the fault; whoever reads just its law may leave them out.
     """
     code, *parts = log.ending
     match code:
@@ -212,7 +216,11 @@ def fault_of(log: Log, budget: int = 0, *, maps: bool = True) -> Fault | None:
 
 
 def ending_of(log: Log, budget: int = 0, *, maps: bool = True) -> EpisodeEnding:
-    """The ending of a log: an answer, a done task, or a fault, such as a malformed answer."""
+    """The ending of a log: an answer, a done task, or a fault, such as a malformed answer.
+
+    ``budget``, the largest legal number of traversals, and ``maps``, whether the task asks for a
+    map, only change the words of a fault, see :func:`fault_of`.
+    """
     code, *parts = log.ending
     match code:
         case entries.ANSWERED | entries.LONG_ANSWER:
@@ -244,7 +252,7 @@ def _estimate(sigma: tuple[int, ...], alpha: tuple[int, ...], here: int) -> Answ
 
 
 def _flaw(said: actions.Ambiguous) -> str:
-    """The reason why the answer is no rooted quotient; empty if it is a rooted quotient."""
+    """The reason why the answer ``said`` is no rooted quotient; empty if it is one."""
     size = len(said.sigma)
     for name, values in (("alpha", said.alpha), ("degree", said.degree), ("marks", said.marks)):
         if len(values) != size:

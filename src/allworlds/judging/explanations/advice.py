@@ -1,4 +1,7 @@
-"""The likely causes of each kind of fault."""
+"""The likely causes of faults.
+
+Patterns are searched in the ``seen`` of a finding: the text that says what the explorer did.
+"""
 
 import re
 
@@ -6,7 +9,7 @@ from allworlds.explorers.loading import is_library, is_program
 from allworlds.judging.findings.finding import Finding
 
 MEMORY = re.compile(r"\(signal (7|8|11)\)")
-"""The words for the end of a process by SIGBUS, SIGFPE or SIGSEGV."""
+"""The pattern for the end of a process by SIGBUS, SIGFPE or SIGSEGV."""
 
 SANITIZER = (
     "The usual cause is an access outside an array, or to freed memory, perhaps long before the "
@@ -18,7 +21,7 @@ STDOUT = (
     "The program's stdout is for its actions alone: print output for debugging to stderr. If the "
     "line is '{}', perhaps a value was undefined: is a 'return' missing, or has a generator ended?"
 )
-"""The advice for a program that prints something else, or prints outside its turn."""
+"""The advice for a program that prints something else than a message, or outside its turn."""
 
 NO_LINE = (
     (
@@ -34,8 +37,8 @@ NO_LINE = (
         "That is only the beginning of an object: print each message without a line break in it.",
     ),
 )
-"""The advice for a program that has printed a line which is no message: for each pattern in the
-observation, a sentence."""
+"""The advice for a program that has printed a line which is no message: pairs of a pattern in the
+finding's ``seen``, and a sentence."""
 
 FLUSH = (
     "Does the program print a newline after every line, and then flush its output? A line is read "
@@ -61,7 +64,10 @@ UNWRITTEN = (
 
 
 def advice(finding: Finding) -> list[str]:
-    """The likely causes of this fault, each in a sentence; an empty list if none is known."""
+    """The likely causes of the fault in a finding; an empty list if none is known.
+
+    The causes of one fault are told in one text of a few sentences, or in two such texts.
+    """
     seen = str(finding.seen)
     if finding.law == "crash" and MEMORY.search(seen):
         return [SANITIZER]

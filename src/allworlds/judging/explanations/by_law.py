@@ -1,4 +1,10 @@
-"""The explanations of findings, one for each law."""
+"""The explanations of findings, one for each law.
+
+``seen`` is the finding's value for what was found instead of the expected: the answer, a number, or
+a text about what the explorer did.  The walk in the answer is the walk of the run with the same
+actions, but in the answer's map; it diverges from the walk in the world at the first step at which
+the answer and the world contradict each other.
+"""
 
 import re
 from collections import Counter
@@ -41,8 +47,8 @@ def _say_message(finding: Finding) -> list[str]:
     """Say the explorer's last message: the last line that names an error, or else the last line.
 
     The lines are those of the traceback, or of stderr.  Some crashes leave neither, for example a
-    call of ``abort``; then the lines are those that the explorer printed.  There is no sentence if
-    there is no line, or if the observation already contains the last line.
+    call of ``abort``; then the lines are those that the explorer printed.  The result is empty if
+    there is no line, or if the last line is already a part of the finding's ``seen``.
     """
     said = finding.detail or (finding.output if finding.law == "crash" else "")
     lines = [line.strip() for line in said.splitlines() if line.strip()]
@@ -56,7 +62,8 @@ def ending(how: str) -> Teller:
     """The function that explains a run by its ending.
 
     The explanation begins with the sentence ``how``, which says how the run ended; in this sentence
-    ``{seen}`` is replaced by the observation.  Further sentences say the last step and percept.
+    ``{seen}`` is replaced by the finding's ``seen``, the text about what the explorer did.  Further
+    sentences name likely causes, the first wrong checkpoint, and the last step with its percept.
     """
 
     def tell(story: Story) -> Telling:
@@ -72,11 +79,11 @@ def ending(how: str) -> Teller:
 
 
 CLOCKWISE = "Bearings, motions and ways back count darts clockwise."
-"""The reminder for an answer that is no map."""
+"""The reminder for an explorer that tried to build a map which is none."""
 
 
 def tell_no_estimate(story: Story) -> Telling:
-    """Say how the run ended; if the answer is no map, say which axiom of maps it breaks."""
+    """Say how the run ended; if the answer is no map, say which axiom of maps the answer breaks."""
     seen = str(story.finding.seen)
     if not seen.startswith(playing.NO_MAP):
         return ending("The explorer ended without an answer that could be judged.")(story)
@@ -92,7 +99,7 @@ def tell_no_estimate(story: Story) -> Telling:
 
 
 def tell_nondeterministic(story: Story) -> Telling:
-    """Say that two plays differ, and what the usual cause is."""
+    """Say that two plays of the run differ, and what the usual cause is."""
     how = "In a second run in the same world the explorer acted differently."
     if after := story.finding.earlier:
         before = listed([world.in_words for world in after])
@@ -111,7 +118,12 @@ SHOW = (
 
 
 def tell_budget(story: Story) -> Telling:
-    """Say where the budget comes from, and after which step the robot found no new edge."""
+    """Explain a run that has exceeded its budget.
+
+    If a checkpoint is wrong, name the first such checkpoint, as the cause.  Otherwise say after
+    which step the robot found no new edge, what it repeated or left out, and where the budget comes
+    from.
+    """
     how = "The explorer did not end within its step budget, so the run was stopped."
     wrong = _tell_first_wrong(story)
     if wrong:  # that is the cause
@@ -127,7 +139,11 @@ def tell_budget(story: Story) -> Telling:
 
 
 def tell_whose_budget(finding: Finding) -> str:
-    """Say where the step budget comes from; if known, name options under which no law is broken."""
+    """Say where the step budget of a finding comes from: from ``--step-budget``, or from a bound.
+
+    If the budget comes from a bound, and options are known under which no law is broken, name these
+    options, too.
+    """
     rules, map_ = finding.rules, finding.world.map
     if rules.step_budget is not None:
         return f"--step-budget sets the budget: {plural(rules.step_budget, 'traversal')}."
@@ -144,14 +160,17 @@ def tell_whose_budget(finding: Finding) -> str:
 
 
 def _say_tried(finding: Finding) -> list[str]:
-    """Name options under which no tried run breaks a law; no sentence if none are known."""
+    """Name the options in ``finding.tried``, with which the check was repeated and broke no law.
+
+    The result is empty if there are no such options.
+    """
     if not finding.tried:
         return []
     return [f"With {finding.tried} no law is broken, in this world and in all others tried."]
 
 
 def _say_progress(story: Walked) -> str:
-    """Say after which step no new edge was found; if none was found at all, say the last step."""
+    """Say after which step the robot found no new edge; if it found none at all, the last step."""
     found_at = story.discoveries.values()
     if not found_at:
         return _say_last_step(story)
@@ -162,7 +181,10 @@ def _say_progress(story: Walked) -> str:
 
 
 def _say_left(story: Story) -> list[str]:
-    """Name the vertices or edges that the robot left out, if the task asks for all of them."""
+    """Name the vertices or edges that the robot left out, if the task asks for all of them.
+
+    The result is empty if the robot left out none, or under other tasks.
+    """
     map_, left, task = story.map, list[str](), story.finding.rules.task.name
     if task in ("cover", "stop", "home"):
         visited = story.walk.visited
@@ -176,7 +198,7 @@ def _say_left(story: Story) -> list[str]:
 
 
 def _tell_first_wrong(story: Story) -> list[str]:
-    """Say which checkpoint is the first wrong one, and why; no sentence if none is wrong."""
+    """Say which checkpoint is the first wrong one, and why; if none is, the result is empty."""
     if story.checkpoint is None:
         return []
     what = story.finding.wrong_checkpoint or "its S is not the explored part"
@@ -197,14 +219,15 @@ def _say_last_step(story: Walked) -> str:
 # ---------------------------------------------------------------- the answer is wrong
 
 GUESSED = "guessed"
-"""The name of the cause of a wrong answer that fits every percept."""
+"""The name for the cause of a wrong answer that fits the whole log, in place of a slip's name."""
 
 
 def tell_map(story: Story) -> Telling:
-    """Say how the answer differs from the world, and at which step the two walks diverge.
+    """Say how the answer differs from the world, and where the walks in both diverge.
 
     If a slip is found (one mistake that makes a right answer wrong), describe the slip; else say
-    the sizes of both maps.  If the walks never diverge, say that the answer fits the whole log.
+    the numbers of edges and vertices of both maps.  If the walks never diverge, say that the answer
+    fits the whole log.
     """
     belief = Belief(story)
     slip, parting = the_slip(belief), tell_parting(belief)
@@ -226,7 +249,10 @@ def _say_sizes(world: CombinatorialMap, answer: CombinatorialMap) -> str:
 
 
 def tell_parting(belief: Belief) -> list[str]:
-    """Say where the walk in the answer diverges from the walk in the world, and what shows it."""
+    """Say where the walk in the answer diverges from the walk in the world, and by which percept.
+
+    If every percept fits the answer, say this, and name the open darts.
+    """
     parting, misfits = belief.walk.parting, belief.walk.misfits
     if parting is None:
         fits = (
@@ -248,7 +274,7 @@ def tell_parting(belief: Belief) -> list[str]:
 
 
 def _say_parting(belief: Belief, parting: Parting) -> str:
-    """The sentence about the step at which the walks diverge."""
+    """The sentence about ``parting``, the first step at which the walks diverge."""
     story = belief.story
     step, robot, taken_for = parting.step, parting.robot, parting.taken_for
     vertex = story.vertex(robot)
@@ -283,11 +309,15 @@ def _say_misfit(belief: Belief, step: int) -> str:
 
 
 TURNED, ELSEWHERE = "off by a turn", "another vertex"
-"""Two names for a wrong ``here``: another dart of the robot's vertex; a dart of another vertex."""
+"""Two names for mistakes, in place of a slip's name: ``here`` is another dart of the robot's
+vertex, or a dart of another vertex."""
 
 
 def tell_pose(story: Story) -> Telling:
-    """Say the robot's dart, the answer's ``here``, and the step at which the walks diverge."""
+    """Say the robot's dart, the answer's ``here``, and where the walks in answer and world diverge.
+
+    If bearings or rotations that count anticlockwise could be the cause, say that, too.
+    """
     belief = Belief(story)
     images = _images(belief)
     alike = len(images) - 1
@@ -313,7 +343,10 @@ def tell_pose(story: Story) -> Telling:
 def _images(belief: Belief) -> list[Dart]:
     """The darts of the world for which the answer's ``here`` can stand.
 
-    If the map is symmetric, there are several.
+    The answer's map equals the world's map; if this map is symmetric, there are several darts.
+
+    Raises:
+        InputError: if the two maps differ.
     """
     answer, map_ = belief.answer, belief.story.map
     sigma, alpha = answer.map.sigma, answer.map.alpha
@@ -325,7 +358,10 @@ def _images(belief: Belief) -> list[Dart]:
 
 
 def _say_where(belief: Belief, images: list[Dart]) -> str:
-    """Say at which dart of the world the robot is, and at which dart it is by the answer."""
+    """Say at which dart of the world the robot is, and at which dart it is by the answer.
+
+    ``images`` are the darts that :func:`_images` has returned; one of them is named.
+    """
     story = belief.story
     map_, robot = story.map, story.walk.darts[-1]
     stands = f"the robot stands at {story.spot(robot)}, and the answer says"
@@ -347,7 +383,7 @@ def _say_where(belief: Belief, images: list[Dart]) -> str:
 
 
 def tell_ambiguity(story: Story) -> Telling:
-    """Say what the answer had to be, and where the robot is in the world."""
+    """Say that the answer had to be the rooted quotient, and where the robot is in the world."""
     broken = (
         "The answer says that several worlds look alike. Then it must be the quotient of these "
         "worlds, where darts that look alike are one dart, rooted at the robot's dart."
@@ -360,10 +396,10 @@ def tell_ambiguity(story: Story) -> Telling:
 
 
 def checkpoint(broken: str) -> Teller:
-    """The function that explains a run by a checkpoint.
+    """The function that explains a run by the checkpoint that breaks a law.
 
-    The explanation is the sentence ``broken``, which says what is wrong, and a sentence about the
-    checkpoint that shows it.
+    The explanation is the sentence ``broken``, which says what is wrong, and a sentence that says
+    after which step the checkpoint came.
     """
 
     def tell(story: Story) -> Telling:
@@ -390,7 +426,8 @@ NAMED = 3
 def tell_open_darts(story: Story) -> list[str]:
     """Name the open darts of the folded log, and the vertices that occur in it more than once.
 
-    There is no sentence if no dart is open, or if the lighthouse allows no folding.
+    The result is empty if no dart is open, or if the lighthouse is none under which logs are
+    folded.
     """
     if not story.world.lighthouse.as_kind.folds:
         return []
@@ -421,11 +458,11 @@ def tell_open_darts(story: Story) -> list[str]:
 
 
 def another_world(world: World, transcript: actions.Transcript) -> World | None:
-    """Another world that agrees with the log; None if the log determines the world.
+    """Another world than ``world`` that agrees with the log; None if the log determines the world.
 
     The other world is the folded log with a new vertex of degree 1 at the end of each open dart.
-    If the result equals the given world, the first new vertex gets a second edge, to one more new
-    vertex.  None of the new edges is a loop.
+    If this is ``world`` again, the first new vertex gets a second edge, to one more new vertex.
+    None of the new edges is a loop.  ``transcript`` is the log of a run in ``world``.
 
     Cost: the folding, and linear in the log.
     """
@@ -444,7 +481,7 @@ def another_world(world: World, transcript: actions.Transcript) -> World | None:
 
 
 def tell_folding(story: Story) -> Telling:
-    """Name the open darts of the folded log, and say that another world agrees with the log."""
+    """Say that another world agrees with the log, and name the open darts of the folded log."""
     guessed = "The log does not determine the map, so the answer, right or not, was guessed."
     other = another_world(story.world, story.walk.transcript)
     assert other is not None
@@ -457,14 +494,17 @@ def tell_folding(story: Story) -> Telling:
 
 
 def tell_bound(story: Story) -> Telling:
-    """Say which other laws hold, where the bound comes from, and how many edges the walk found."""
+    """Explain a walk that is longer than the bound.
+
+    Say which other laws hold, where the bound comes from, and how many edges the walk found.
+    """
     made, new = plural(story.walk.cost, "traversal"), len(story.discoveries)
     used = f"The robot made {made}, of which {new} found a new edge."
     return Telling([*tell_whose_bound(story.finding), used])
 
 
 def tell_whose_bound(finding: Finding) -> list[str]:
-    """Say which other laws hold, and where the bound comes from.
+    """Say which laws other than ``bound`` hold, and where the bound comes from.
 
     If options are known under which no law is broken, name these options, too.
     """
@@ -531,5 +571,9 @@ TELLERS: dict[str, Teller] = {
 
 
 def teller_of(law: str) -> Teller:
-    """The function that explains a violation of a law; it only says the name of an unknown law."""
+    """The function that explains a violation of ``law``.
+
+    For a law that is not in :data:`TELLERS`, the explanation only names the law and says how the
+    run ended.
+    """
     return TELLERS.get(law) or ending(f"The law '{law}' is broken.")

@@ -1,4 +1,8 @@
-"""Sentences about a run without an end: its repeated walk, unwalked edges, where its code runs."""
+"""Sentences about a run without an end: what the walk repeats, which edges the robot left out, and
+the lines of code that ran last.
+
+The functions ``tell_...`` return a list of sentences; it is empty if there is nothing to say.
+"""
 
 import os
 import re
@@ -15,19 +19,21 @@ from allworlds.protocol.code_lines import is_users
 from allworlds.words import listed, plural
 
 TIMES = 3
-"""If a walk ends with the same steps this number of times, or more often, it ends in a round."""
+"""If a walk ends with the same steps this number of times, or more often, these steps are called a
+round."""
 
 SHOWN = 8
-"""The largest number of darts of a round, of lines of code, or of edges that sentences name."""
+"""The largest number of darts of a round, of lines of code, or of edges that sentences name; the
+others are left out, or counted."""
 
 
 class Round(Struct, frozen=True):
     """A round: a sequence of steps that the robot repeats up to the end of its walk.
 
     Attributes:
-        first: the number of the step with which the first round begins; steps count from 1.
-        steps: the number of steps of a round.
-        times: the number of complete rounds.
+        first: the number of the step with which the repetition begins; steps count from 1.
+        steps: the number of steps of the sequence.
+        times: how often the whole sequence occurs, one after the other.
     """
 
     first: int
@@ -38,7 +44,8 @@ class Round(Struct, frozen=True):
 def round_of(walk: Sequence[Any]) -> Round | None:
     """The round with which a walk ends; None if the walk ends in no round.
 
-    If several rounds are possible, the one whose repetitions begin earliest is taken.
+    ``walk`` holds a value for each step; equal values stand for equal steps.  If several rounds are
+    possible, the one whose repetition begins earliest is returned.
 
     Cost: linear, by the borders of the reversed walk (Knuth, Morris and Pratt).
     """
@@ -57,9 +64,9 @@ def round_of(walk: Sequence[Any]) -> Round | None:
 
 
 def tell_round(story: Story) -> list[str]:
-    """Say where a round begins, and name the darts and the lines of code in it.
+    """Say where the round begins with which the walk ends, and name its darts and lines of code.
 
-    There is no sentence if the walk ends in no round.
+    The result is empty if the walk ends in no round.
     """
     walk = story.walk
     found = round_of([*zip(map(str, walk.actions), walk.darts[1:], strict=True)])
@@ -78,14 +85,17 @@ def tell_round(story: Story) -> list[str]:
 
 
 def tell_way_back(story: Story) -> list[str]:
-    """Say where the explorer confuses two doors after a way back; no sentence if it does not.
+    """Say at which step the explorer seems to count doors from a wrong door.
 
-    A robot that comes back to a vertex faces the door by which it had left.  Some explorers count
-    doors from another door instead: the one by which the robot had first come.  For each motion of
-    the walk, this function compares the door by which the robot left with the door that the
-    explorer means if it makes this mistake.  There is a sentence if two conditions are met: once,
-    after a way back, the robot left along a walked edge when the meant door led along a new edge;
-    and the robot never left along a new edge when the meant door led along a walked edge.
+    A robot that comes back to a vertex through the door by which it had left (a way back) faces
+    this door, and ``Move(k)`` counts from there.  Some explorers wrongly count from the door by
+    which the robot had come in before it left.  For each motion of the walk, this function finds
+    the *meant* door: the one that ``k`` names for an explorer with this mistake.
+
+    The sentence names the first motion after a way back by which the robot left along an edge that
+    it had walked before, while the meant door led along a new edge: the explorer seems to have
+    wanted the new edge.  But if by any motion the robot left along a new edge, while the meant door
+    led along a walked edge, the mistake does not explain the walk, and the result is empty.
     """
     map_, darts = story.map, story.walk.darts
     came, left, walked, remarks = dict[int, Dart](), dict[int, Dart](), set[Dart](), list[str]()
@@ -116,7 +126,7 @@ def tell_way_back(story: Story) -> list[str]:
 
 
 def tell_open(story: Story) -> list[str]:
-    """Name the edges that were never walked along; no sentence if there are none."""
+    """Name the edges that the robot never walked along; the result is empty if there are none."""
     edges = story.unwalked
     if len(edges) > SHOWN:
         edges[SHOWN:] = [f"{len(edges) - SHOWN} more"]
@@ -124,15 +134,16 @@ def tell_open(story: Story) -> list[str]:
 
 
 FRAME = re.compile(r'^  File "(.*)", line ([0-9]+) in (.*)$', re.MULTILINE)
-"""A frame of a stack, as Python's faulthandler prints it, the innermost first."""
+"""The pattern for a frame of a stack that Python's faulthandler has printed, the innermost frame
+first."""
 
 
 def stack_of(finding: Finding) -> list[tuple[str, str]]:
     """The user's lines in the stack of a run that breaks the law ``timeout``, innermost first.
 
-    The result holds pairs: a line as ``FILE:LINE``, and the name of the function.  An explorer in
-    Python that is silent for too long prints its stack, if the prints of the run are recorded.  If
-    it has printed none, or for another law, the result is empty.
+    The result holds pairs: a line as ``FILE:LINE``, and the name of the function.  If an explorer
+    in Python is silent for too long, its process prints the stack, which the finding holds if the
+    prints of the run are recorded.  Without such a stack, or for another law, the result is empty.
     """
     if finding.law != "timeout":
         return []
@@ -145,6 +156,6 @@ def stack_of(finding: Finding) -> list[tuple[str, str]]:
 
 
 def tell_stack(finding: Finding) -> list[str]:
-    """Name the lines of :func:`stack_of`, where the explorer was silent; if none, no sentence."""
+    """Name the lines of :func:`stack_of`, where the explorer was silent; empty if none is known."""
     frames = [f"{function} ({line})" for line, function in stack_of(finding)[:SHOWN]]
     return [f"It was then in the function {', called by '.join(frames)}."] if frames else []

@@ -1,6 +1,8 @@
 """The story of a run: names of vertices and darts, the walk in a wrong answer, and slips.
 
-A slip is the one mistake by which a wrong answer differs from the world.
+A slip is the one mistake by which a wrong answer differs from the world.  The walk in the answer is
+the robot's walk in the world with the same actions, but in the answer's map; the two walks diverge
+at the first step at which the answer and the world contradict each other.
 """
 
 import math
@@ -44,19 +46,22 @@ class Walked:
 
     @property
     def discoveries(self) -> dict[Dart, int]:
-        """For each walked edge, named by its smaller dart, the step that first walked it."""
+        """For each walked edge, named by its smaller dart, the step that first walked along it.
+
+        The steps are numbered from 1 on.
+        """
         return {edge: before + 1 for edge, before in self.walk.crossed.items()}
 
     def in_words(self, percept: Percept) -> str:
-        """The percept in the words of the world's lighthouse."""
+        """The percept in words: marks are called labels if the lighthouse labels vertices."""
         return percept.in_words(labels=self.world.lighthouse.labels_vertices)
 
     def vertex(self, dart: Dart) -> str:
-        """The name of a dart's vertex: ``hall``, or ``v1`` for a vertex without a label."""
+        """The name of a dart's vertex: its label, such as ``hall``, or ``v1`` without a label."""
         return self.world.labels.vertex(self.map.vertex_of[dart])
 
     def spot(self, dart: Dart) -> str:
-        """The name of a dart with its vertex: ``v1, dart 3``."""
+        """The name of a dart together with that of its vertex: ``v1, dart 3``."""
         return f"{self.vertex(dart)}, dart {dart}"
 
     @property
@@ -72,7 +77,8 @@ class Walked:
     def arrival(self, step: int) -> str:
         """The vertex and dart of the robot after a step, such as ``v1, dart 3``.
 
-        After a motion between two labelled vertices the text names both: ``hall -> F, dart 3``.
+        The steps are numbered from 1 on; 0 stands for the start.  After a motion in a world with
+        labelled vertices the text names both vertices: ``hall -> F, dart 3``.
         """
         spot = self.spot(self.walk.darts[step])
         moved = step and type(self.walk.actions[step - 1]) is Move
@@ -90,7 +96,8 @@ class Story(Walked):
             without an answer, before the first wrong checkpoint; None without such a checkpoint.
 
     Raises:
-        InputError: if the transcript is impossible in the world, or ends before that checkpoint.
+        InputError: if the finding's transcript is impossible in its world, or ends before that
+            checkpoint.
     """
 
     def __init__(self, finding: Finding) -> None:
@@ -104,7 +111,10 @@ class Story(Walked):
             )
 
     def last_left(self, dart: Dart, step: int) -> str:
-        """A clause that says when, before ``step``, the robot last left the vertex of a dart."""
+        """A clause that says when, before ``step``, the robot last left the vertex of ``dart``.
+
+        The clause is ``which it had just left``, or ``which it had left at step 3``.
+        """
         vertex = self.vertex(dart)
         last = max(i for i in range(step) if self.vertex(self.walk.darts[i]) == vertex)
         just = last == step - 1
@@ -112,7 +122,7 @@ class Story(Walked):
 
 
 class Belief:
-    """The walk in the answer, if the broken law is about the answer.
+    """The robot's belief: the wrong answer of a finding, and the walk in this answer.
 
     Attributes:
         story: the finding with its walk in the world.
@@ -120,7 +130,8 @@ class Belief:
         walk: the walk in the answer.
 
     Raises:
-        InputError: if the finding's observation (``seen``) is no answer.
+        InputError: if the finding's ``seen`` is no map with ``here``, so that its law cannot be one
+            about the answer.
     """
 
     def __init__(self, story: Story) -> None:
@@ -144,8 +155,9 @@ class Telling(Struct, frozen=True):
 
     Attributes:
         sentences: the sentences of the explanation.
-        step: the first step at which the walks in the answer and in the world diverge; None if they
-            never do.
+        step: the step at which a mistake first shows: for a wrong answer the first step at which
+            the walks in the answer and in the world diverge, else the number of steps before the
+            wrong checkpoint; None if there is no such step.
         answer: the wrong answer; None if the law is not about the answer.
         other: another world that agrees with the log; None if the law is not about such worlds.
         slip: the name of the slip that makes the answer wrong; empty if none is known.
@@ -159,7 +171,8 @@ class Telling(Struct, frozen=True):
 
 
 Teller: TypeAlias = Callable[[Story], Telling]
-"""The function that makes the explanation of a story for one law; it may raise InputError."""
+"""A function that explains the finding of a story, which breaks a certain law; it may raise
+InputError."""
 
 
 LARGEST = 40
@@ -193,9 +206,10 @@ Recogniser: TypeAlias = Callable[[Belief], Slip | None]
 
 
 def the_slip(belief: Belief) -> Slip | None:
-    """The first slip that alone explains how the answer differs from the world.
+    """The first kind of slip in :data:`SLIPS` that alone makes the answer differ from the world.
 
-    Return None if no single slip explains it, or if a map has more than :data:`LARGEST` edges.
+    The result is None if no single slip does, or if one of the two maps has more than
+    :data:`LARGEST` edges.
     """
     if max(belief.answer.map.edge_count, belief.story.map.edge_count) > LARGEST:
         return None
@@ -203,7 +217,7 @@ def the_slip(belief: Belief) -> Slip | None:
 
 
 def mirror_image(belief: Belief) -> Slip | None:
-    """Recognise an answer whose rotations are all anticlockwise."""
+    """Recognise an answer that lists the darts of each vertex anticlockwise."""
     answer, world, robot = belief.answer, belief.story.map, belief.story.walk.darts[-1]
     mirrored = answer.map.mirrored()
     if rooted_isomorphism(mirrored, answer.here, world, robot):
@@ -220,12 +234,13 @@ def mirror_image(belief: Belief) -> Slip | None:
 
 
 def bearings_anticlockwise(belief: Belief) -> Slip | None:
-    """Recognise an answer that fits the percepts if bearings are counted anticlockwise.
+    """Recognise an answer that fits the percepts only if bearings are counted anticlockwise.
 
-    The walk that ends at ``here`` is followed in the answer.  Only the percepts at the start and
-    after the first walk along each edge must fit, because a robot on its way back need not look.
-    But if the answer's map equals the world's map, only ``here`` is wrong.  Usually that is a
-    mistake of its own, so bearings are blamed only if all percepts of the walk fit.
+    The percepts are compared along the walk in the answer that ends at ``here``.  Only the percepts
+    at the start and after the first walk along each edge must fit, because an explorer need not
+    look at the percepts on a way back.  But if the answer's map equals the world's map, only
+    ``here`` is wrong, which usually has another cause; so this slip is then recognised only if all
+    percepts of the walk fit.
     """
     map_, walk = belief.answer.map, belief.story.walk
     trail = trail_to(map_, belief.answer.here, walk)
@@ -247,10 +262,12 @@ def bearings_anticlockwise(belief: Belief) -> Slip | None:
 
 
 def _fits(map_: CombinatorialMap, sensed: Iterable[tuple[Dart, Percept]], way: int) -> bool:
-    """Whether the percepts at each vertex agree on its degree, its marks and the pointed dart.
+    """Whether the percepts at each vertex of ``map_`` agree on degree, marks and pointed dart.
 
-    ``sensed`` holds each percept with the robot's dart of the map.  ``way`` is 1 if bearings count
-    clockwise, and -1 if they count anticlockwise.
+    Args:
+        map_: a map.
+        sensed: the percepts, each after the robot's dart in ``map_``.
+        way: 1 if bearings count darts clockwise, -1 if anticlockwise.
     """
     found: dict[int, tuple[int, Dart | None]] = {}
     for dart, percept in sensed:
@@ -264,7 +281,7 @@ def _fits(map_: CombinatorialMap, sensed: Iterable[tuple[Dart, Percept]], way: i
 
 
 def _glued_crosswise(belief: Belief) -> Slip | None:
-    """Recognise an answer in which two edges have exchanged one end with each other."""
+    """Recognise an answer that is right but for two edges, which have exchanged one end."""
     answer, world, robot = belief.answer, belief.story.map, belief.story.walk.darts[-1]
     if isomorphism(answer.map, world):
         return None
@@ -287,9 +304,10 @@ def _glued_crosswise(belief: Belief) -> Slip | None:
 def _reglued(
     map_: CombinatorialMap,
 ) -> Iterator[tuple[CombinatorialMap, tuple[tuple[Dart, Dart], tuple[Dart, Dart]]]]:
-    """The maps that arise from ``map_`` if two edges exchange an end.
+    """The maps that arise from ``map_`` if two of its edges exchange an end.
 
-    Each map comes with the two edges as they are in ``map_``.
+    Each map comes with these two edges, each as its two darts in ``map_``.  Results that are not
+    connected are left out.
     """
     for i, (a, b) in enumerate(map_.edges):
         for c, d in map_.edges[i + 1 :]:
@@ -323,7 +341,7 @@ def _pairs(edges: list[tuple[Dart, Dart]]) -> str:
 
 
 def _edge_misplaced(belief: Belief) -> Slip | None:
-    """Recognise an answer in which one or both ends of one edge are misplaced."""
+    """Recognise an answer that is right but for one edge, which has a wrong end, or two."""
     world, answer = belief.story.map, belief.answer.map
     if answer.edge_count != world.edge_count or isomorphism(answer, world):
         return None
@@ -343,8 +361,10 @@ def _edge_misplaced(belief: Belief) -> Slip | None:
 def _edge_missing(belief: Belief) -> Slip | None:
     """Recognise an answer that lacks one edge of the world, or contracts it to a vertex.
 
-    If several edges of the world could be the missing one, it is the edge that the robot walked
-    along last or never, since the answer agrees with the beginning of the walk.
+    There may be several edges without which the world's map equals the answer's map.  Then the slip
+    names an edge that the robot never walked along; if there is none, the edge along which the
+    robot's first walk came latest: the explorer most likely knew the edges that it had walked
+    earlier.
     """
     story, answer = belief.story, belief.answer.map
     alpha, crossed = story.map.alpha, story.walk.crossed
@@ -363,7 +383,7 @@ def _edge_missing(belief: Belief) -> Slip | None:
 
 
 def _edge_too_many(belief: Belief) -> Slip | None:
-    """Recognise an answer with one edge that the world lacks, or contracts to a vertex."""
+    """Recognise an answer with one edge too many, perhaps one that makes two vertices of one."""
     world, answer = belief.story.map, belief.answer.map
     for _, less in _without_an_edge(deleted, answer, world):
         sentence = "The answer has one edge too many: without it, it is the map of the world."
@@ -379,10 +399,10 @@ def _without_an_edge(
     larger: CombinatorialMap,
     smaller: CombinatorialMap,
 ) -> Iterator[tuple[Dart, CombinatorialMap]]:
-    """The edges whose removal makes the larger map equal to the smaller map.
+    """The edges of ``larger`` whose removal makes this map equal to ``smaller``.
 
-    The function ``taking`` removes an edge from a map, or returns None if that is impossible.  Each
-    edge is given by its first dart, together with the map that is left.
+    The function ``taking`` removes the edge of a dart from a map, or returns None if that is
+    impossible.  Each edge is given by its smaller dart, together with the map without the edge.
     """
     if larger.edge_count == smaller.edge_count + 1:
         for d, _ in larger.edges:
@@ -399,4 +419,4 @@ SLIPS: tuple[Recogniser, ...] = (
     _edge_missing,
     _edge_too_many,
 )
-"""The functions that recognise slips, the commonest slip first."""
+"""The functions that each recognise one kind of slip, the commonest kind first."""

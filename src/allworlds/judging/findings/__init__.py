@@ -1,5 +1,6 @@
 """Findings: runs that break a law, as values.
 
 ``finding``
-    the world, the explorer, its run there, and the broken law; also as the content of a file.
+    the class of findings, each with the world, the explorer, the run, and the broken law; the
+    content of a finding's file.
 """

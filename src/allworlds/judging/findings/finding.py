@@ -25,16 +25,17 @@ VERSION: Final = 2
 NOT_RECORDED = "not recorded"
 
 REPLAY = "allworlds replay FILE  # with this finding, as JSON, in FILE"
-"""The command that plays a finding again, after its earlier runs."""
+"""The command that plays the run of a finding again, after the earlier runs that the finding
+names."""
 
 
 def _value(name: str, given: Any) -> Value:
     """The estimate in ``given``, the JSON value of the key ``expected`` or ``seen`` of a finding.
 
-    Integers and texts are values of these keys as they are, and are not read by this function.
+    The function is not called if the JSON value is an integer or a text, which needs no conversion.
 
     Raises:
-        InputError: naming the key ``name``, if ``given`` is no estimate.
+        InputError: with ``name``, the name of the key, if ``given`` is no estimate.
     """
     if isinstance(given, Mapping):
         try:
@@ -84,7 +85,10 @@ class CodeLines(doc.Document, forbid_unknown_fields=False, kw_only=True):
     sources: Annotated[tuple[str, ...], doc.about("all these lines, as `FILE:LINE: TEXT`")]
 
     def source(self, where: str) -> str:
-        """The line named ``where`` with its text; ``where`` alone if the text is unknown."""
+        """The line of code ``where``, a text ``FILE:LINE``, with the text of this line.
+
+        If the text of the line is unknown, the result is ``where`` alone.
+        """
         return next((line for line in self.sources if line.startswith(f"{where}: ")), where)
 
 
@@ -203,7 +207,7 @@ class Finding(doc.Document, Paged, forbid_unknown_fields=False, kw_only=True):
         """The rules by which the run was played and judged.
 
         Raises:
-            InputError: naming an option that is illegal in this world.
+            InputError: naming an option of the finding that is illegal in its world.
         """
         if self.under is not None:
             return self.under
@@ -219,8 +223,8 @@ class Finding(doc.Document, Paged, forbid_unknown_fields=False, kw_only=True):
     def key(self) -> tuple[int, int, Code, int, tuple[int, ...]]:
         """The run as a tuple by which runs are ordered, those in small worlds first.
 
-        The tuple holds the numbers of edges and vertices, the canonical code, the place, and the
-        choices.  All findings of one run have the same tuple.
+        The tuple holds the numbers of edges and vertices, the code of the rooted map, the number of
+        the lighthouse's place, and the choices.  All findings of one run have the same tuple.
         """
         map_ = self.world.map
         code = rooted_code(map_.sigma, map_.alpha, self.world.start)
@@ -228,7 +232,7 @@ class Finding(doc.Document, Paged, forbid_unknown_fields=False, kw_only=True):
 
     @property
     def earlier(self) -> list[World]:
-        """The worlds of the earlier runs."""
+        """The worlds of the earlier runs in the same process (``after``), in their order."""
         return [run.world for run in self.after]
 
     @property
@@ -236,15 +240,16 @@ class Finding(doc.Document, Paged, forbid_unknown_fields=False, kw_only=True):
         """The tuple by which the findings of a check are sorted; it begins with :attr:`key`.
 
         Of several findings of one run, those that name earlier runs (``after``) come first, then
-        those of runs that depend on the hash seed, then all others.
+        those whose result depends on the hash seed, then all others.
         """
         return self.key, not self.after, self.hash_seed is None, self.hash_seed or 0
 
     @cached_property
     def kind(self) -> tuple[str, Code]:
-        """The kind of the finding: the law, and the map without its start.
+        """The kind of the finding: the broken law, and the map without its start.
 
-        The map is given by the least of its canonical codes, one for each start.
+        The map is given by a code that does not depend on the start: the least of its codes, of
+        which there is one for each start.
         """
         map_ = self.world.map
         return self.law, min(rooted_code(map_.sigma, map_.alpha, dart) for dart in map_.darts)
@@ -275,10 +280,10 @@ class Finding(doc.Document, Paged, forbid_unknown_fields=False, kw_only=True):
 
     @classmethod
     def from_json(cls, document: str | Mapping[str, Any]) -> "Finding":
-        """The finding in a document or its text, as :meth:`to_json` writes it.
+        """The finding in a JSON document, or in the text of one, as :meth:`to_json` writes it.
 
-        The document may also be a report.  A report of ``check`` may hold several findings, of
-        which the first is returned; a report of ``run`` holds at most one.
+        The document may also be a report with findings.  A report of ``check`` may hold several
+        findings, of which the first is returned; a report of ``run`` holds at most one.
 
         Raises:
             InputError: naming the offending value and what would be legal.
@@ -304,7 +309,9 @@ class Finding(doc.Document, Paged, forbid_unknown_fields=False, kw_only=True):
 
 
 def findings_of(document: Any) -> Sequence[Any]:
-    """The documents of all findings in a report; a document that is no report is returned alone.
+    """The JSON values of all findings in a report.
+
+    If ``document`` is no report, the result holds ``document`` alone.
 
     Raises:
         InputError: if the report holds no finding, or is of another version.
@@ -329,7 +336,10 @@ def place_of(world: World) -> int:
 
 
 def canonical_world(world: World) -> World:
-    """Return the world in canonical numbering: its start is dart 0."""
+    """Return the world with its darts renumbered from the start, which gets the number 0.
+
+    Isomorphic worlds become equal in this *canonical* numbering.
+    """
     names = [0] * len(world.map.sigma)
     for number, dart in enumerate(numbering(world.map.sigma, world.map.alpha, world.start)):
         names[dart] = number
@@ -337,9 +347,10 @@ def canonical_world(world: World) -> World:
 
 
 def labelled(world: World, given: Iterable[World]) -> World:
-    """The world, with the labels of the first given world that equals it, if there is one.
+    """The world with the labels of the first of the given worlds that is isomorphic to it.
 
-    ``world`` is in canonical numbering; the given worlds may have any numbering.
+    ``world`` is in canonical numbering; the given worlds may have any numbering.  If none of them
+    is isomorphic to ``world``, the result is ``world`` itself.
     """
     sized = (one for one in given if one.map.edge_count == world.map.edge_count)
     return next((one for one in map(canonical_world, sized) if one == world), world)
@@ -350,5 +361,5 @@ DIGITS = 12
 
 
 def digest_of(text: str) -> str:
-    """The digest of the text of a finding's file; it is a part of the name of the file."""
+    """The digest of the text of a finding's file, which is a part of the file's name."""
     return hashlib.sha256(text.encode()).hexdigest()[:DIGITS]

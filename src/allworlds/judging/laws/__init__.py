@@ -6,5 +6,5 @@ inside of a world nor any explorer.
 ``law_table``
     **the** table of the laws; each is a function of a finished run and the truth;
 ``folding``, ``bounds``
-    the folded log and the bounds, which two of the laws need.
+    the folded log, and the bounds, which the laws ``folding`` and ``bound`` need.
 """

@@ -1,4 +1,7 @@
-"""Bounds on the number of traversals: bounds with names, and bounds that expressions define."""
+"""Bounds on the number of traversals in a run; a bound has a name, or an expression defines it.
+
+A bound is a function of the world; n, m, d0, D, d and g are its variables, see :func:`bound_named`.
+"""
 
 import ast
 import operator
@@ -32,14 +35,14 @@ def far_beyond(bound: int) -> int:
 
 
 def paper_bound(vertices: int, edges: int) -> int:
-    """The paper's bound: the sum of the formulas (1) and (2) of Section VI, exactly."""
+    """The paper's bound for a map of this size: the exact sum of its formulas (1) and (2)."""
     growing, closing = paper_terms(vertices, edges)
     return growing + closing
 
 
 @cache
 def paper_terms(vertices: int, edges: int) -> tuple[int, int]:
-    """The values of the formulas (1) and (2) of Section VI of the paper.
+    """The values of the formulas (1) and (2) of the paper's Section VI, for a map of this size.
 
     The paper prints the upper limit of the sum (2) as 'n-n+1', but the text above the formula says
     m-n+1.  This function uses m-n+1.
