@@ -162,9 +162,9 @@ def believed_walk(walk: Walk, answer: actions.Estimate) -> BelievedWalk:
     The first candidate is the walk with the same actions that ends at ``here``.  But an explorer
     may have been right up to its last step, and then have given a wrong ``here``.  So, if the first
     candidate diverges before the last step, each dart of the answer gives a further candidate: the
-    walk that begins at this dart, in which ``here`` replaces the last dart.  Its last step need not
-    be possible in the answer.  So a further candidate is left out if it never diverges from the
-    walk in the world: one could think that the answer fits the whole log.
+    walk that begins at this dart, in which ``here`` replaces the last dart.  The last step of such
+    a candidate need not be possible in the answer.  So the candidate is left out if it never
+    diverges from the walk in the world: it would wrongly show that the answer fits the whole log.
 
     If several candidates agree equally long, the walk that ends at ``here`` is preferred, and then
     the candidate in which the degrees in the answer equal the sensed degrees for the most steps
