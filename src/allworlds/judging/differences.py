@@ -30,7 +30,8 @@ def overruled(outcome: Outcome, first: Log, second: Log, *, choices: bool = Fals
 
     Args:
         outcome: the outcome of the first play.
-        first, second: the logs of the two plays.
+        first: the log of the first play.
+        second: the log of the second play.
         choices: whether the choices are compared, too; see :func:`difference_of`.
     """
     difference = difference_of(first, second, choices=choices)

@@ -1,5 +1,4 @@
-"""Sentences about a run without an end: what the walk repeats, which edges the robot left out, and
-the lines of code that ran last.
+"""Sentences about a run without an end: its repeated steps, its last lines, edges left out.
 
 The functions ``tell_...`` return a list of sentences; it is empty if there is nothing to say.
 """

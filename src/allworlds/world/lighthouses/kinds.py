@@ -187,7 +187,8 @@ def lighthouse_from_json(
 
     Args:
         document: the JSON object of the lighthouse; None if the JSON of the world has none.
-        map_, start: the map and the start of the world.
+        map_: the map of the world.
+        start: the start of the world.
         missing: the kind of the lighthouse if ``document`` is None; the result is then a lighthouse
             of this kind at its default place.
 
