@@ -35,8 +35,8 @@ class Explanation(Report):
     step: Annotated[
         Natural | None,
         about(
-            "the first at which the walks in the world and in the answer part (0: the start), or the "
-            "one before a wrong checkpoint; null: none"
+            "the first at which the walks in the world and in the answer part (0: the start), or "
+            "the one before a wrong checkpoint; null: none"
         ),
     ]
     sentences: Annotated[Some[Text], about("in plain words")]
