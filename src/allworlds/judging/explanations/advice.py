@@ -17,17 +17,11 @@ SANITIZER = (
 )
 """The advice for a process that a signal of :data:`MEMORY` has ended."""
 
-STDOUT = (
-    "The program's stdout is for its actions alone: print output for debugging to stderr. If the "
-    "line is '{}', perhaps a value was undefined: is a 'return' missing, or has a generator ended?"
-)
-"""The advice for a program that prints something else than a message, or outside its turn."""
+STDOUT = "The program's stdout is for its actions alone: print output for debugging to stderr."
+"""The advice for a program that prints something else, or prints outside its turn."""
 
 NO_LINE = (
-    (
-        r"\\x00",
-        "The line is text in UTF-16: a program must set its stdout to UTF-8.",
-    ),
+    (r"\\x00", "The line is text in UTF-16: a program must set its stdout to UTF-8."),
     (
         r"no JSON: '\s*(\\[nrt]|\s)*'$",
         "That is a blank line: print one line for each message, and no line between messages.",
@@ -36,6 +30,7 @@ NO_LINE = (
         r"no JSON: '\s*[{\[][^}]*'$",
         "That is only the beginning of an object: print each message without a line break in it.",
     ),
+    (r"the line \{\}", "Was a value undefined: is a 'return' missing, or has a generator ended?"),
 )
 """The advice for a program that has printed a line which is no message: pairs of a pattern in the
 finding's ``seen``, and a sentence."""

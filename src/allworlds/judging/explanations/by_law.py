@@ -104,15 +104,15 @@ def tell_nondeterministic(story: Story) -> Telling:
     if after := story.finding.earlier:
         before = listed([world.in_words for world in after])
         how = (
-            f"After the explorer had explored {before} in the same process, it acted differently "
-            "in this world than in a new process."
+            "In this world the explorer acts differently in a new process and in a process in "
+            f"which it has explored {before} before."
         )
     return Telling([how, *advice(story.finding), _say_last_step(story)])
 
 
 SHOW = (
-    "The explorer showed no wrong checkpoint. If it shows its map after each edge, this report "
-    "tells where the map first goes wrong."
+    "If the explorer shows its map in a checkpoint after each edge, the next report tells where "
+    "the map first goes wrong."
 )
 """The advice for a walk without an end and without a wrong checkpoint."""
 
@@ -129,7 +129,7 @@ def tell_budget(story: Story) -> Telling:
     if wrong:  # that is the cause
         return Telling([*wrong, how], story.checkpoint)
     if str(story.finding.seen).startswith("checkpoint "):
-        why = [f"After step {len(story.walk.actions)} the explorer only showed checkpoints."]
+        why = [f"After step {len(story.walk.actions)} it only showed checkpoints, too many in all."]
     else:
         is_map, found = story.finding.rules.task.is_map, tell_round(story)
         why = [_say_progress(story), *found, *tell_way_back(story)]
@@ -198,11 +198,11 @@ def _say_left(story: Story) -> list[str]:
 
 
 def _tell_first_wrong(story: Story) -> list[str]:
-    """Say which checkpoint is the first wrong one, and why; if none is, the result is empty."""
-    if story.checkpoint is None:
+    """Say which checkpoint is the first wrong one, and why; no sentence if none is wrong."""
+    if (step := story.checkpoint) is None:
         return []
     what = story.finding.wrong_checkpoint or "its S is not the explored part"
-    wrong = f"The checkpoint after step {story.checkpoint} is already wrong: {what}."
+    wrong = f"The checkpoint after step {step} is already wrong (in the numbers of its S): {what}."
     return [f"{wrong} Mend this first: later mistakes may follow from it."]
 
 
@@ -212,8 +212,8 @@ def _say_last_step(story: Walked) -> str:
         start = story.in_words(story.sensed[0])
         return f"The robot made no step: it stood at the start, {spot}, and sensed '{start}'."
     action, percept = steps[-1]
-    sensed = story.in_words(percept)
-    return f"The last step, {len(steps)}, was {action}: to {spot}, where it sensed '{sensed}'."
+    last = f"After the last step, {len(steps)} ({action}), the robot was at {spot}"
+    return f"{last}, and sensed '{story.in_words(percept)}'."
 
 
 # ---------------------------------------------------------------- the answer is wrong
@@ -320,18 +320,18 @@ def tell_pose(story: Story) -> Telling:
     """
     belief = Belief(story)
     images = _images(belief)
-    alike = len(images) - 1
-    symmetry = f" (as the map is symmetric, {plural(alike, 'other dart')} would be right, too)"
-    where = f"{_say_where(belief, images)}{symmetry if alike else ''}"
-    turned = story.map.vertex_of[story.walk.darts[-1]] in {story.map.vertex_of[d] for d in images}
+    alike, robot = len(images) - 1, story.walk.darts[-1]
+    others = f"As the map is symmetric, {plural(alike, 'other dart')} would be right besides"
+    where = f"{_say_where(belief, images)}{f' {others} dart {robot}.' if alike else ''}"
+    turned = story.map.vertex_of[robot] in {story.map.vertex_of[d] for d in images}
     name = TURNED if turned else ELSEWHERE
     bearings = bearings_anticlockwise(belief)
-    sentences = [f"The map is right, but 'here' is wrong: {where}."]
+    sentences = [f"The map is right, but 'here' is wrong: {where}"]
     if mirror_image(belief):
-        causes = ["'here' is wrong", "the rotations are anticlockwise"]
+        causes = ["'here' is wrong", "sigma of the answer goes anticlockwise"]
         causes += ["the bearings are counted anticlockwise"] if bearings else []
         sentences = [
-            f"Either {', or '.join(causes)}: {where}.",
+            f"Either {', or '.join(causes)}: {where}",
             "This world is its own mirror image, so no run in it shows which mistake it is.",
         ]
     elif bearings:
@@ -364,22 +364,22 @@ def _say_where(belief: Belief, images: list[Dart]) -> str:
     """
     story = belief.story
     map_, robot = story.map, story.walk.darts[-1]
-    stands = f"the robot stands at {story.spot(robot)}, and the answer says"
+    stands = f"the robot stands at {story.spot(robot)}; the answer says"
     parting = belief.walk.parting
     meant = parting.taken_for if parting and parting.step == len(story.walk.darts) - 1 else None
     near = [d for d in images if map_.vertex_of[d] == map_.vertex_of[robot]]
     if not near:
         said = map_.alpha[robot] if map_.alpha[robot] in images else images[0]
-        where = f"{stands} {story.spot(said)}, which is another vertex"
+        where = f"{stands} {story.spot(said)}."
     else:
         said = meant if meant in near else min(near, key=lambda d: map_.offset(d, robot))
         turned, degree = map_.offset(said, robot), map_.degree_at[robot]
         back = degree - turned
         darts, way = (turned, "anticlockwise") if turned < back else (back, "clockwise")
-        where = f"{stands} dart {said} of the same vertex, {plural(darts, 'dart')} too far {way}"
+        where = f"{stands} dart {said} of the same vertex, {plural(darts, 'dart')} too far {way}."
     if said != map_.alpha[robot] or not story.walk.cost:
         return where
-    return f"{where}; dart {said} is the other end of the edge by which the robot came"
+    return f"{where} Dart {said} is the other end of the edge by which the robot came."
 
 
 def tell_ambiguity(story: Story) -> Telling:
@@ -395,6 +395,10 @@ def tell_ambiguity(story: Story) -> Telling:
 # ---------------------------------------------------------------- a checkpoint is wrong
 
 
+TOO_EARLY = "The explorer ended too early: the S of its last checkpoint lacks edges of the world."
+"""The explanation of the law ``variant`` in a run whose checkpoints all gain edges."""
+
+
 def checkpoint(broken: str) -> Teller:
     """The function that explains a run by the checkpoint that breaks a law.
 
@@ -404,7 +408,9 @@ def checkpoint(broken: str) -> Teller:
 
     def tell(story: Story) -> Telling:
         sentences, step = [broken], story.checkpoint
-        if step is not None:
+        if step is None:
+            sentences = [TOO_EARLY]
+        else:
             sentences.append(
                 f"The checkpoint came after step {step}, where the robot stood at "
                 f"{story.spot(story.walk.darts[step])}, and had sensed "
@@ -547,7 +553,7 @@ def _whose(finding: Finding) -> str:
 TELLERS: dict[str, Teller] = {
     "crash": ending("The explorer crashed: {seen}."),
     "timeout": ending("The explorer was silent for too long."),
-    "illegal-action": ending("The explorer did what no robot can do here."),
+    "illegal-action": ending("What the explorer sent last is not legal here."),
     "no-estimate": tell_no_estimate,
     "budget": tell_budget,
     "nondeterministic": tell_nondeterministic,
@@ -555,15 +561,11 @@ TELLERS: dict[str, Teller] = {
     "pose": tell_pose,
     "ambiguity": tell_ambiguity,
     "task": ending("The explorer did not do what the task asks for."),
-    "invariant-1": checkpoint("The S of a checkpoint is not the explored part of the world."),
+    "invariant-1": checkpoint("S, with 'here' on the robot's dart, is not what was explored."),
     "invariant-2": checkpoint(
         "The U of a checkpoint must hold only unexplored darts, but it holds an explored one."
     ),
-    "variant": checkpoint(
-        "The explorer made no progress between two checkpoints, or ended too early: from each "
-        "checkpoint to the next, S, the explored part, must gain an edge, and the last S must have "
-        "all edges."
-    ),
+    "variant": checkpoint("S must gain an edge from each checkpoint to the next; here it did not."),
     "folding": tell_folding,
     "bound": tell_bound,
 }

@@ -79,8 +79,8 @@ def tell_round(story: Story) -> list[str]:
     lines = code.steps[found.first - 1 : found.first - 1 + found.steps] if code else ()
     named = [line for line in dict.fromkeys(lines) if line][:SHOWN]
     at = f" ({'lines' if len(named) > 1 else 'line'} {', '.join(named)})" if named else ""
-    walked = f"a round of {plural(found.steps, 'step')} {found.times} times: to {where}"
-    return [f"From step {found.first} on the robot walked {walked}{at}."]
+    walked = f"{plural(found.steps, 'step')}, {found.times} times in all: to {where}"
+    return [f"From step {found.first} on the robot repeated {walked}{at}."]
 
 
 def tell_way_back(story: Story) -> list[str]:
@@ -113,10 +113,10 @@ def tell_way_back(story: Story) -> list[str]:
         if back and (out in walked) > (meant in walked) and not remarks:
             remarks.append(
                 f"Before step {step} the robot was back at {story.vertex(here)} and faced dart "
-                f"{here}, by which it had left; {action} then led along dart {out}, which was "
-                f"already walked. If doors were counted from dart {came[vertex]}, by which the "
-                f"robot had first come in, {action} would lead along dart {meant}, which was new: "
-                "does the explorer count from the wrong door?"
+                f"{here}, by which it had left. Doors count from this dart, so {action} led along "
+                f"dart {out}, which was already walked. Counted from dart {came[vertex]}, where "
+                f"the robot stood before it left, {action} would lead along dart {meant}, which "
+                "was new. Does the explorer count from the wrong door?"
             )
         walked |= {out, darts[step]}
         if not (by_loop and out == here):  # it is on its way back through the loop

@@ -221,14 +221,10 @@ def mirror_image(belief: Belief) -> Slip | None:
     answer, world, robot = belief.answer, belief.story.map, belief.story.walk.darts[-1]
     mirrored = answer.map.mirrored()
     if rooted_isomorphism(mirrored, answer.here, world, robot):
-        sentence = (
-            "The answer is a mirror image: with its rotations read anticlockwise it would be right."
-        )
+        sentence = "The answer is a mirror image: with sigma reversed it would be right."
         return Slip(MIRROR_IMAGE, sentence, mirrored, world, answer.here)
     if isomorphism(mirrored, world) and not isomorphism(answer.map, world):
-        sentence = (
-            "The answer's map is the mirror image of the world's: its rotations are anticlockwise."
-        )
+        sentence = "The answer's map is the world's mirror image: its sigma goes anticlockwise."
         return Slip(MIRROR_IMAGE, sentence, mirrored, world)
     return None
 
@@ -377,7 +373,7 @@ def _edge_missing(belief: Belief) -> Slip | None:
         return Slip("edge missing", sentence, answer, less)
     for d, less in last(_without_an_edge(contracted, story.map, answer)):
         ends = f"{story.vertex(d)} and {story.vertex(alpha[d])}"
-        sentence = f"The answer takes {ends} for one vertex, and lacks their edge."
+        sentence = f"The answer takes {ends} for one vertex, and lacks an edge between them."
         return Slip("one vertex for two", sentence, answer, less)
     return None
 
@@ -386,7 +382,7 @@ def _edge_too_many(belief: Belief) -> Slip | None:
     """Recognise an answer with one edge too many, perhaps one that makes two vertices of one."""
     world, answer = belief.story.map, belief.answer.map
     for _, less in _without_an_edge(deleted, answer, world):
-        sentence = "The answer has one edge too many: without it, it is the map of the world."
+        sentence = "The answer has one edge too many; without this edge it is the world's map."
         return Slip("edge too many", sentence, less, world)
     for _, less in _without_an_edge(contracted, answer, world):
         sentence = "The answer takes one vertex for two, with an edge between them."
