@@ -468,14 +468,14 @@ def _of_degrees(map_class: str, legal: Callable[[int], bool]) -> CountSource | N
 
     known = {
         "maps": CountSource(
-            "log-series of permutations with these cycles", lambda m: rooted_maps(m, degrees(m))
+            "log-series of permutations with legal cycles", lambda m: rooted_maps(m, degrees(m))
         ),
         "planar": CountSource(
-            "Walsh-Lehman recurrence at these degrees",
+            "Walsh-Lehman recurrence at the legal degrees",
             lambda m: rooted_of_genus_by_contraction(m, 0, degrees(m)),
         ),
         "simple": CountSource(
-            "these degree sequences of labelled graphs",
+            "legal degree sequences of labelled graphs",
             lambda m: rooted_simple_by_degrees(m, degrees(m)),
         ),
     }

@@ -90,7 +90,7 @@ class GivenMaps:
     Args:
         noun: the noun for a single map, for messages.
         of: words about the origin of the maps; empty for worlds that were made in this process.
-        gate: the reason why the number of the maps cannot be compared with an independent count.
+        gate: why the number of the maps cannot be compared with an independent count, as a clause.
         found: for each map three things: its name for error messages, its key (the number of the
             file, the offset in the file, and the number of the map), and the map.
         find: the function that returns the map with a key.
@@ -98,9 +98,8 @@ class GivenMaps:
 
     Attributes:
         count: the number of the maps.
-        words: the number and the origin of the maps, such as ``3 worlds of plan.json``.
-        starts: for each number of edges, ascending, the number of the given rooted maps: a map
-            counts once for each of its starts.
+        words: the number and the origin of the maps, such as ``3 maps of plan.json``.
+        starts: for each number of edges, ascending, the number of rooted maps.
         lighthouse: the kind of lighthouse that the given worlds have; None if they have none.
         fixed: whether each map comes with a single start and a single place of its lighthouse.
 
@@ -117,7 +116,7 @@ class GivenMaps:
         find: Callable[[int, int, int], GivenMap],
         codes: tuple[Digest, ...] = (),
     ) -> None:
-        self.of, self.gate, self.codes = of, f"absent: {gate}", codes
+        self.of, self.gate, self.codes = of, f"absent, as {gate}: no count to compare with", codes
         self.count, self.fixed, self._find = 0, True, find
         kinds = dict[LighthouseKind, str]()
         self._at: dict[int, array[int]] = defaultdict(lambda: array("Q"))
@@ -230,7 +229,7 @@ def worlds_of_files(codes: tuple[Digest, ...], order: Order | None, y: YAxis | N
         return replace(_given(entry, called), labels=replace(entry.labels, name=called))
 
     of = listed([code.plain for code in codes])
-    return GivenMaps("world", of, "worlds of a file", found(), entry_of, codes)
+    return GivenMaps("map", of, "the maps come from a file", found(), entry_of, codes)
 
 
 @lru_cache(maxsize=4)
@@ -258,7 +257,7 @@ def embeddings_of(
     every = embeddings(edges, genus=genus)
     maps = [GivenMap(map_, map_.darts, labels=labels) for map_ in every]
     of = graph if genus is None else f"{graph} of genus {genus}"
-    return held("embedding", of, "embeddings of a graph", maps, codes)
+    return held("embedding", of, "the maps are embeddings of a graph", maps, codes)
 
 
 def _given(entry: Entry, name: str) -> GivenMap:
@@ -400,7 +399,7 @@ class GivenOptions(FileOptions):
         if self.worlds is None:
             return None
         made = [GivenMap(it.map, (it.start,), it.lighthouse, it.labels) for it in self.worlds]
-        return held("given world", "", "the worlds were given", made)
+        return held("given world", "", "the worlds are given", made)
 
     @property
     @override

@@ -30,7 +30,7 @@ LAWS: dict[str, str] = {
     "no-estimate": "A program returns only what can be an answer.",
     "nondeterministic": "A program does the same after the same percepts.",
     "never": "What must never happen does not happen.",
-    "deadlock": "Robots do not wait for what will never happen.",
+    "deadlock": "When no robot will ever act again, and one still waits, nothing is wrong.",
     "answer": "When all robots have ended, nothing is wrong.",
     "progress": (
         "A fair run that never ends must reach the goal again and again, or reach it and then keep "

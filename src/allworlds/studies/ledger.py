@@ -322,8 +322,8 @@ class CheckedClaim(Sentence):
         if self.truth is None:
             return ()
         if self.disagreement:
-            return (f"a disagreement within this program: {self.disagreement}",)
-        differ = []
+            return (f"the check failed, so the claim counts as refuted: {self.disagreement}",)
+        differ, none = [], "no value"
         if self.verdict != self.expected:
             differ.append(f"verdict: expected {self.expected}, found {self.verdict}")
         for wanted, seen in (
@@ -331,7 +331,7 @@ class CheckedClaim(Sentence):
             (self.expected_figures, self.figures),
         ):
             differ += [
-                f"{name}: expected {wanted.get(name, 'nothing')}, found {seen.get(name, 'nothing')}"
+                f"{name}: expected {wanted.get(name, none)}, found {seen.get(name, none)}"
                 for name in sorted({*wanted, *seen})
                 if wanted.get(name) != seen.get(name)
             ]

@@ -31,6 +31,7 @@ ALIKE = (
     "Darts with the same letter cannot be told apart: the robot senses the same at each of them, "
     "and every motion leads from them to darts that again have the same letter."
 )
+WHY_ALIKE = ". Darts of one class look alike, so no motion tells the worlds apart"
 TOURED = (
     "So on this walk, which goes along every edge of each world, the robot senses the same in all "
     "these worlds, as on any other walk."
@@ -87,13 +88,13 @@ def _answer(comparison: ComparedWorlds) -> parts.Headline:
         motions = ", ".join(map(str, comparison.motions))
         said = f"by {count}, and by no fewer: {motions}" if motions else FIRST_DIFFER
         return parts.Headline("TOLD APART", said, "holds")
-    word, what = {
-        "same": ("SAME", "the two are one world, start included; "),
-        "same-map": ("ALIKE", "one world, entered at two darts that look alike; "),
-        "different": ("TWINS", "two different worlds; "),
+    word, what, why = {
+        "same": ("SAME", "A and B are one world, with the same start", ""),
+        "same-map": ("ALIKE", "one world, entered at two darts that look alike", WHY_ALIKE),
+        "different": ("TWINS", "two different worlds", WHY_ALIKE),
     }[comparison.relation]
-    why = _why_alike([projection_of(world).quotient for world in comparison.worlds])
-    return parts.Headline(word, what + why, "vacuous")
+    covers = _covers([projection_of(world).quotient for world in comparison.worlds])
+    return parts.Headline(word, f"{what}; {covers}{why}", "vacuous")
 
 
 def class_content(found: AmbiguityClass) -> parts.ReportContent:
@@ -108,7 +109,7 @@ def class_content(found: AmbiguityClass) -> parts.ReportContent:
         blocks.append(parts.Paragraph(f"{left} more worlds: --json lists them."))
     if found.notice:
         blocks.append(parts.Paragraph(f"{found.notice}."))
-    poses = f"{words.number(found.poses)} (pairs of a world and a dart of the robot)"
+    poses = f"{words.number(found.poses)} (a pose: a world and a dart in it where the robot may be)"
     return parts.ReportContent(
         "allworlds ambiguity class",
         "one world",
@@ -128,8 +129,9 @@ def _size_of(found: AmbiguityClass) -> parts.Headline:
     if found.size == 1:
         text = f"no other world {universe} has the same quotient: a robot can map this world"
         return parts.Headline("ALONE", text, "holds")
-    why = _why_alike([projection_of(found.world).quotient])
-    text = f"{words.plural(found.size, 'world')} {universe}; {why}"
+    why = _covers([projection_of(found.world).quotient]) + WHY_ALIKE
+    worlds = f"{words.plural(found.size, 'world')} {universe}"
+    text = f"{worlds} look alike, the given one included; {why}"
     return parts.Headline("AMBIGUOUS", text, "vacuous")
 
 
@@ -183,8 +185,8 @@ def _walk(
     return parts.ShownWalk("One walk", walked, views, sentences, elsewhere, tour=not apart)
 
 
-def _why_alike(quotients: Sequence[Quotient]) -> str:
-    """The reason why no motion tells worlds apart, in words.
+def _covers(quotients: Sequence[Quotient]) -> str:
+    """The words that say: the worlds are covers of one quotient.
 
     The quotients of the worlds must be equal, except for the numbers of sheets.
     """
@@ -195,11 +197,7 @@ def _why_alike(quotients: Sequence[Quotient]) -> str:
         some = "all" if len(sheets) == 1 else "both"
         who = f"{some} are covers with {words.plural(sheets[0], 'sheet')}"
     size = words.plural(len(quotients[0].sigma), "class", "classes")
-    return (
-        f"{who} of the same quotient, which has {size} of darts. At all darts of one class a robot "
-        "senses the same, and each motion leads from them to darts of one class again: so no "
-        "motion tells the worlds apart"
-    )
+    return f"{who} of the same quotient, which has {size} of darts"
 
 
 def _quotient(quotient: Quotient) -> tuple[parts.Paragraph, parts.Table]:
@@ -219,7 +217,7 @@ def _quotient(quotient: Quotient) -> tuple[parts.Paragraph, parts.Table]:
         labels = [quotient.labels[q] for q in vertex]
         uneven = len({getattr(label, "marks", 0) for label in labels}) > 1
         rows.append([around, "; ".join(map(str, labels if uneven else labels[:1])), cone])
-    header = ["classes clockwise", "sensed there", "times round"]
+    header = ["classes clockwise", "sensed there", "times round a vertex"]
     said = "The quotient. a→b: alpha takes class a to class b; a↺: alpha takes class a to itself."
     return parts.Paragraph(said), parts.Table(header, rows)
 
@@ -230,7 +228,7 @@ def census_content(census: census_sweep.AmbiguityCensus) -> parts.ReportContent:
     The rows are for each number of edges, and for each number of edges and of vertices.  They count
     the worlds, the worlds that look like another one, and their ambiguity classes.
     """
-    header = ["marked worlds", "ambiguous", "classes", "largest class"]
+    header = ["marked worlds", "ambiguous", "groups of lookalikes", "largest group"]
     rows = [[row.edges, *_counts(row)] for row in census.rows]
     cells = [[cell.edges, cell.vertices, *_counts(cell)] for cell in census.by_vertices]
     kind = str(census.request.lighthouse)
@@ -243,7 +241,7 @@ def census_content(census: census_sweep.AmbiguityCensus) -> parts.ReportContent:
     if not census.whole:
         text = (
             f"{census.portion}: a shard may hold only some of the worlds that look alike; the "
-            "merge of all shards gives the classes and the counts"
+            "merge of all shards gives the groups and the counts"
         )
         facts.append(("shard", text))
     if census.agrees:
@@ -298,7 +296,7 @@ def _counted(census: census_sweep.AmbiguityCensus) -> parts.Headline | None:
     elif ambiguous:
         done = parts.Headline("AMBIGUOUS", f"{words.number(ambiguous)} of {worlds} {scope}")
     else:
-        done = parts.Headline("TOLD APART", f"{worlds} {scope}: motions tell every two apart")
+        done = parts.Headline("TOLD APART", f"no two of {worlds} {scope} look alike")
     return parts.so_far(census, done)
 
 
@@ -321,7 +319,8 @@ def search_content(result: twin_search.SearchResult) -> parts.ReportContent:
         ]
         for one in result.levels
     ]
-    table = parts.Table([*columns], rows, "The sizes that were decided")
+    caption = "The sizes tried (m4n2to5: 4 edges, 2 to 5 vertices; sat: twins; unsat: no twins)"
+    table = parts.Table([*columns], rows, caption)
     return parts.ReportContent(
         "allworlds ambiguity search",
         f"{result.lighthouse} lighthouse, class {result.map_class.value}",
@@ -345,11 +344,11 @@ def _found(result: twin_search.SearchResult) -> tuple[parts.Headline, list[tuple
     if result.status == "sat":
         pair = [] if result.certificate is None else [("pair", str(result.certificate))]
         return parts.Headline("FOUND", f"{asked}.", "vacuous"), [("why", ALIKE), *pair]
-    proof = "no certificate for all sizes; the notices say why"
+    proof = "not every size has a checked proof; the notices on stderr say why"
     if result.certificate is not None:
         proof = (
-            f"{result.certificate}: a formula and an LRAT proof for each size; a program that is "
-            "no solver has checked each proof"
+            f"{result.certificate} holds a formula and an LRAT proof for each size; a separate "
+            "proof checker has accepted each proof"
         )
     return parts.Headline("NONE", f"{asked}: there are none.", "holds"), [("proof", proof)]
 

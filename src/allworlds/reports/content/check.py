@@ -66,9 +66,9 @@ def _in_short(report: CheckReport) -> list[tuple[str, str]]:
     if scope.extent.given is not None:
         extent = f"{scope.extent.given.words}, {extent}"
     short = {
-        "scope": f"{extent}, {scope.rules.lighthouse} lighthouse, {_which(report)}",
+        "scope": f"{extent}, lighthouse '{scope.rules.lighthouse}', {_which(report)}",
         "witnesses": f"events of {plural(len(report.tally.witnesses), 'kind')} seen",
-        "chance": f"one more draw refutes with probability below 3/{report.runs} (95 % confidence)",
+        "chance": f"one more draw refutes with probability < {3 / max(report.runs, 1):.4g} (95 %)",
     }
     if cells and all(cell.agrees for cell in cells):
         sizes = plural(len(cells), "finished size")
@@ -162,14 +162,14 @@ def scope_words(report: CheckReport) -> list[tuple[str, str]]:
     scope, rules = report.asked, report.asked.rules
     shard = f", shard {scope.portion}" if scope.portion != units.WHOLE else ""
     what = (
-        f"{_which(report)} of the {rules.lighthouse} lighthouse in {_maps(report)} "
+        f"{_which(report)} of the lighthouse '{rules.lighthouse}' in {_maps(report)} "
         f"{of_the_class(scope.extent, scope.coverage.min_edges)}{shard}; {_schedules(report)}"
     )
     unfinished = ""
     if not report.complete and not scope.coverage.drawn:
-        finished = ", ".join(map(str, report.levels)) or "none"
+        levels = [plural(edges, "edge") for edges in report.levels] or ["none"]
         why = "" if report.ending.final else f"{report.ending.reason}; "
-        unfinished = f"NOT complete: {why}finished levels (numbers of edges): {finished}"
+        unfinished = f"{why}finished levels: {listed(levels)}"
     witnesses, past = report.tally.witnesses, report.corpus
     seen = ", ".join(f"{event} {number(count)}" for event, count in sorted(witnesses.items()))
     missing = ", ".join(report.missing_witnesses)
@@ -179,7 +179,7 @@ def scope_words(report: CheckReport) -> list[tuple[str, str]]:
         *_of_sample(report),
         ("places", tried_places(rules.lighthouse, scope.extent)),
         *option_facts(report, CHECK_SAID),
-        ("", unfinished),
+        ("INCOMPLETE", unfinished),
         ("task", "" if rules.task.is_map else f"{rules.task.name}: {rules.task.asks}"),
         ("trust", trust(report.scope.shared_file)),
         ("symmetry", report.symmetry),
@@ -188,7 +188,7 @@ def scope_words(report: CheckReport) -> list[tuple[str, str]]:
         ("witnesses", f"events seen: {seen}" if seen else "no event was seen"),
         ("MISSING", missing and f"never met: {missing}"),
         ("corpus", f"{past.directory}: {past.summary}" if past else ""),
-        ("left out", left_out(report.tally.left_out)),
+        ("left out", left_out(report.tally.left_out, f" of {number(report.worlds)}")),
         *(("remark", remark) for remark in report.remarks),
     ]
 
@@ -203,14 +203,14 @@ def _of_sample(report: CheckReport) -> Iterator[tuple[str, str]]:
     sample = report.asked.coverage
     if not isinstance(sample, units.Sample):
         return
-    yield "mixture", f"{', '.join(sample.mix)} (one draw of each in turn); seed {sample.seed}"
+    yield "mixture", f"drawn in these ways in turn: {', '.join(sample.mix)}; seed {sample.seed}"
     if report.bred:
-        why = "made by changing drawn worlds, to reach code that few runs reach; not counted"
+        why = "made by changing drawn worlds, to reach rarely run code; only their findings count"
         yield "bred", f"{plural(report.bred, 'world')} {why}"
     if report.verdict is Verdict.NOT_REFUTED and sample.portion == units.WHOLE:
         chance = (
-            f"not refuted in {plural(report.runs, 'fresh draw')}: with 95 % confidence, one more "
-            f"draw from this mixture refutes with probability below 3/{report.runs}"
+            f"none of {plural(report.runs, 'random draw')} refutes the explorer: with 95 % "
+            f"confidence one more from this mixture does with probability < {3 / report.runs:.4g}"
         )
         yield "chance", chance
 
@@ -225,9 +225,9 @@ CHECK_SAID = (
 def _which(report: CheckReport) -> str:
     given = report.asked.extent.given
     if report.asked.coverage.drawn or (given and given.fixed):
-        return "one start and marker"
+        return "one start and place"
     some = tried_places(report.asked.rules.lighthouse, report.extent)
-    return "every start and the places named below" if some else "every start and marker"
+    return "every start and the places named below" if some else "every start and place"
 
 
 def _maps(report: CheckReport) -> str:
@@ -383,7 +383,7 @@ def _findings(report: CheckReport, found: Iterable[int]) -> list[parts.Section]:
 
 def _mismatch(cell: GateCell) -> str:
     if cell.enumerated == cell.counted:
-        said = f"but their fingerprint is {cell.fingerprint}, where {cell.listed} is expected"
+        said = f"but not the maps: their fingerprint is {cell.fingerprint}, not {cell.listed}"
         return f"the number of maps with {size(cell.edges, cell.vertices)} is right, {said}"
     return miscount(cell.edges, cell.vertices, cell.enumerated, cell.source, cell.counted)
 
@@ -391,7 +391,7 @@ def _mismatch(cell: GateCell) -> str:
 def _estimate(guess: time_estimate.TimeEstimate) -> parts.ReportContent:
     """The content for the estimated duration of a check, and of checks with more edges if known."""
     if guess.seconds is None or guess.rate is None:
-        text = "no world of the last level was finished in time: the check takes very long"
+        text = "no world of the last level was finished in a few seconds: the check takes very long"
         head = parts.Headline("estimate", text, "inconclusive")
         return parts.ReportContent("allworlds check", guess.explorer, guess, head, [])
     most = "" if guess.counted else "at most "

@@ -32,7 +32,8 @@ def compare_content(report: comparison.Comparison | growth.Growth) -> parts.Repo
 def _comparison(report: comparison.Comparison) -> parts.ReportContent:
     """The content for explorers in the same worlds, with walks where the costs differ most."""
     cells = _by_size(report, _short_names(report))
-    table = parts.Table([*SIZES], cells, "Compared worlds", keys=4)
+    less = f"less: worlds where '{_short_names(report)[0]}' walks less than this explorer"
+    table = parts.Table([*SIZES], cells, f"Compared worlds ({less})", keys=4)
     curve = _curve(_lines_of_levels(report))
     blocks = [_side_by_side(report), *curve, table, parts.FactList(_facts(report))]
     return _content(report, blocks, lambda: _rows(report), lambda: _walks(report))
@@ -223,11 +224,11 @@ def _growth_facts(report: growth.Growth) -> list[tuple[str, str]]:
     words = [*explorer_facts(report), ("scope", scope), *option_facts(report, GROWTH_SAID)]
     if report.rows:
         drawn = max(row.seeds for row in report.rows)
-        level = f"{intervals.LEVEL:.0%}, by Student's t on logarithms"
-        few = f"-: fewer than {intervals.LEAST_WORLDS} worlds"
+        level = f"{intervals.LEVEL:.0%} confidence in mean or ratio, by Student's t on logarithms"
+        few = f"- there: fewer than {intervals.LEAST_WORLDS} worlds, or a cost of 0"
         words += [
-            ("worlds", f"different rooted maps of {plural(drawn, 'seed')}, up to isomorphism"),
-            ("runs", "for the places of the lighthouse in these worlds; worst: the largest cost"),
+            ("worlds", f"the rooted maps of {plural(drawn, 'seed')}; isomorphic ones count once"),
+            ("runs", "places of the lighthouse tried, of all places; worst: the largest cost"),
             ("mean", "first over the runs in a world, then over worlds; ratios: geometric mean"),
             ("interval", intervals.lack() or f"{level}; {few}"),
         ]
@@ -236,7 +237,7 @@ def _growth_facts(report: growth.Growth) -> list[tuple[str, str]]:
         member = report.rows[-1].members[-1].name
         one = report.entrants[0]
         own = f" --lighthouse {quote(one.at)}" if one.at else ""
-        words.append(("again", f"allworlds run {one.subject.name}{own} --family {member}"))
+        words.append(("example", f"allworlds run {one.subject.name}{own} --family {member}"))
     return [*words, ("left out", left_out(report.left_out))]
 
 
@@ -306,7 +307,7 @@ def _facts(report: comparison.Comparison) -> list[tuple[str, str]]:
     meant = "in traversals; means are over the places of the lighthouse, then over the rooted maps"
     words.append(("costs", meant))
     first = _short_names(report)[0]
-    exact = "; exact" if report.whole else ""
+    exact = "; exact, as the maps are no sample" if report.whole else ""
     ratio = f"in each map mean / mean of '{first}'; then the geometric mean over all maps{exact}"
     words.append(("ratio", ratio))
     if report.rows:

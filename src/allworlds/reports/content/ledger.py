@@ -34,7 +34,8 @@ def ledger_content(report: LedgerReport) -> parts.ReportContent:
         for one in report.claims
         if one.standing in ("unexpected", "vacuous")
     ]
-    facts += [("REQUIRED", f"{name} was not checked") for name in report.missed]
+    missed = "must be checked, as --require says, but was not"
+    facts += [("REQUIRED", f"{name} {missed}") for name in report.missed]
     ledger: list[parts.Block] = [parts.FactList(facts)] if facts else []
     header = ["", "claim", "found", "sentence"]
     rows = [[SIGNS[one.standing], one.id, one.verdict, one.statement] for one in report.claims]
@@ -81,14 +82,13 @@ def _headline(report: LedgerReport) -> parts.Headline | None:
     errors = sum(one.verdict == "error" for one in report.claims)
     # The reasons why claims were not checked, each with the number of its claims.
     reasons = Counter(one.told for one in report.claims if one.standing == "not-checked")
-    needed = "; ".join(f"{words.number(count)}: {reason}" for reason, count in reasons.items())
     outcomes = (
         (held, "holds" if held == 1 else "hold"),
         (refuted, f"{'is' if refuted == 1 else 'are'} refuted, as expected"),
         (standings["unexpected"] - errors, "not as expected"),
         (errors, "ended in an error of this program"),
         (standings["vacuous"], "vacuous"),
-        (standings["not-checked"], f"not checked ({needed})"),
+        *((count, f"not checked ({reason})") for reason, count in reasons.items()),
     )
     counts = ", ".join(f"{words.number(count)} {outcome}" for count, outcome in outcomes if count)
     verdict = VERDICTS.get(report.exit_code, "inconclusive")
@@ -97,8 +97,8 @@ def _headline(report: LedgerReport) -> parts.Headline | None:
 
 
 def _section(one: CheckedClaim) -> parts.Section:
-    """A section for a claim: its sentence, pictures of worlds that show the result, and facts."""
-    verdict = f"{one.verdict}, {one.standing.replace('-', ' ')}"
+    """A section for a claim, with the worlds that show it."""
+    verdict = ", ".join(dict.fromkeys([one.verdict, one.standing])).replace("-", " ")
     differs = "; ".join(one.differences)
     facts = [("verdict", verdict), *_details(one), ("differs", differs)]
     captioned = zip(one.captions, one.worlds, strict=True)

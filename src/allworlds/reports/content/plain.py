@@ -68,13 +68,14 @@ def status_content(standing: merge.Standing) -> parts.ReportContent:
     units, worlds = standing.units, standing.worlds
     so_far = "" if standing.state == "finished" else " so far"
     most = "" if standing.counted else "at most "
-    some = most + ("" if standing.shard == str(WHOLE) else "about ")
+    about = "" if standing.shard == str(WHOLE) else "about "
+    some = f" of {about}{words.number(worlds.all)}{'' if standing.counted else ' or fewer'}"
     facts = [
         ("state", standing.state),
         ("job", _job(standing)),
         ("options", " ".join(standing.options or ())),
         ("units", f"{words.number(units.done)} of {words.number(units.all)}"),
-        ("worlds", f"{words.number(worlds.done)} of {some}{words.number(worlds.all)}"),
+        ("worlds", f"{words.number(worlds.done)}{some if so_far or not about else ''}"),
     ]
     if standing.rate is not None:
         facts.append(("rate", f"{words.plural(round(standing.rate), 'world')} a second"))

@@ -47,8 +47,8 @@ def of_the_class(extent: Extent, least: int = 1) -> str:
 
 
 def each_of(given: MapSource) -> str:
-    """The given worlds in words: ``each of 3 worlds of plan.json``."""
-    return given.words if given.count == 1 else f"each of {given.words}"
+    """The given worlds in words: ``each of 3 maps of plan.json``, ``the map of plan.json``."""
+    return f"each of {given.words}" if given.count > 1 else f"the {given.words.removeprefix('1 ')}"
 
 
 def maps_in_words(report: OfWorlds) -> str:
@@ -90,9 +90,9 @@ def trust(file: str) -> str:
     return file and f"{file} holds the explorer, and code that judges it: see docs/trust.md"
 
 
-def left_out(worlds: int) -> str:
-    """A text about a number of worlds without a place for the lighthouse; empty for 0 worlds."""
-    return f"{words.plural(worlds, 'world')} without a place for the lighthouse" if worlds else ""
+def left_out(worlds: int, among: str = "") -> str:
+    """A text about the worlds without a place for the lighthouse; empty if there are none."""
+    return f"{words.plural(worlds, 'world')}{among}: no place for the lighthouse" if worlds else ""
 
 
 def option_facts(report: OfWorlds, said: Iterable[str]) -> list[tuple[str, str]]:
@@ -128,7 +128,7 @@ def gate_facts(report: Any, what: str, *, is_compared: bool) -> list[tuple[str, 
     elif not report.source:
         said = f"absent: no formula counts the maps that are {report.extent.where}"
     elif not report.whole:
-        said = f"not for shard {report.portion} alone; the merge of all shards compares the counts"
+        said = "the merge of all shards compares the counts"
     elif is_compared:
         said = f"no {what} was forgotten: {words.counted(report.source)}"
     else:

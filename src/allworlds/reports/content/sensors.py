@@ -18,6 +18,7 @@ from allworlds.studies.ambiguity.side_by_side import AlikePair, AmbiguitySensors
 
 Pairs = Sequence[Sequence[str]]
 
+
 WIDTH = 90
 """The width, in columns, of the text that shows the order of sensors."""
 
@@ -29,7 +30,7 @@ def sensors_content(found: AmbiguitySensors) -> parts.ReportContent:
     if their lighthouses can stand at the same places.
     """
     enough = [row.lighthouse for row in found.rows if row.sufficient]
-    header = ["sensor", "suffices", "minimal", "fails from m", "maps alike"]
+    header = ["sensor", "suffices", "minimal", "fails from edges", "maps alike there"]
     rows: list[list[parts.Cell]] = [
         [
             row.lighthouse,
@@ -53,7 +54,7 @@ def sensors_content(found: AmbiguitySensors) -> parts.ReportContent:
     ]
     ordered: list[parts.Block] = [parts.Paragraph(said), parts.Quote("order", "The order", order)]
     if less := [*_less_at_a_step(found)]:
-        ordered.append(parts.FactList([("each step", sentence) for sentence in less]))
+        ordered.append(parts.FactList([("steps", sentence) for sentence in less]))
     sections = [parts.Section("seen", "", blocks)]
     sections += [parts.Section("order", "Which tells more", ordered)] if order else []
     named = [(row.lighthouse, row.twins) for row in found.rows if row.twins]
@@ -123,7 +124,7 @@ def _less_at_a_step(found: AmbiguitySensors) -> Iterator[str]:
         more = [b for a, b in found.coarser if a == less and (b, a) not in found.coarser]
         more = [each for each in more if (less, each) in found.dominates]
         if more:
-            yield f"{less} senses less than {', '.join(more)} at a step, but in the end as much"
+            yield f"in one step {less} senses less than {words.listed(more)}, in many as much"
 
 
 def _pictures(named: Iterable[tuple[str, AlikePair]]) -> Iterator[parts.Section]:
@@ -137,7 +138,8 @@ def _pictures(named: Iterable[tuple[str, AlikePair]]) -> Iterator[parts.Section]
         groups.setdefault(key, (pair, []))[1].append(name)
     for number, (pair, names) in enumerate(groups.values(), 1):
         walk = alike("AB", pair.shown, pair.bisimulation)
-        yield parts.Section(f"walk-{number}", f"Alike under {'; '.join(names)}", [walk])
+        title = f"Worlds that look alike under {' and '.join(map(repr, names))}"
+        yield parts.Section(f"walk-{number}", title, [walk])
 
 
 def weakest_content(found: AmbiguityWeakest) -> parts.ReportContent:
@@ -159,7 +161,7 @@ def weakest_content(found: AmbiguityWeakest) -> parts.ReportContent:
         f"{found.sufficient} of {words.plural(found.coarsenings, 'coarsening')} suffice, "
         f"in every world {of_the_class(found.extent)}, {len(found.minimal)} of them minimal"
     )
-    header = ["letters", "features, | between letters", "edges of twins below"]
+    header = ["letters", "their features, parted by |", "edges of these twins"]
     table = parts.Table(header, rows, "Minimal sensors: if two letters become one, twins exist")
     seen = parts.Section("seen", "", [table, parts.fact("scope", _scope(found.extent))])
     return parts.ReportContent(

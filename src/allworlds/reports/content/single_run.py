@@ -175,7 +175,8 @@ def run_section(run: SingleRun, name: str, title: str = "") -> parts.Section:
         case Answered(value):
             blocks.append(parts.fact("answer", json.dumps(value)))
         case Over():
-            blocks.append(parts.fact("over", f"all is done: {run.rules.task.asks}"))
+            done = run.rules.task.asks.partition(";")[0]
+            blocks.append(parts.fact("ended", f"as the task was done: {done}"))
     shown = parts.ShownWalk(f"The walk of {run.explorer}", walked, views, agreement=agreement)
     return parts.Section(name, title, [shown, *blocks])
 
@@ -302,7 +303,7 @@ def _lines(finding: Finding, step: int | None) -> Iterator[tuple[str, str]]:
         if (more := len(code.alone) - MOST_LINES) > 0:
             lines.append(f"{words.plural(more, 'other line')}: --json lists them")
         runs = words.plural(code.right, "run")
-        yield "only here", f"{'; '.join(lines)} (not reached in {runs} without a finding)"
+        yield "only here", f"{'; '.join(lines)} ({runs} that broke no law did not get there)"
     if code.busy:
         yield "ran most", "; ".join(code.source(where) for where in code.busy[:2])
 
@@ -381,11 +382,12 @@ def _belief(story: Story) -> list[parts.Block]:
         map_ = None
     if map_ is None or shown.here not in map_.darts:
         lists = f"sigma {[*shown.sigma]}, alpha {[*shown.alpha]}, here {shown.here}"
-        return [parts.fact("its S", f"{here}, with the explorer's numbers, is no map: {lists}")]
+        wrong = "This is no map" if map_ is None else "This map has no such dart 'here'"
+        return [parts.fact("S", f"{here}, in the explorer's numbers: {lists}. {wrong}")]
     known = len(shown.sigma)
     names = ["?" if min(darts) >= known else f"s{i}" for i, darts in enumerate(map_.vertices)]
     scene = parts.Scene(map_, None, shown.here, vertices=names)
-    title = f"The S {here}, with the explorer's own darts 0 to {known - 1} (?: not explored)"
+    title = f"The S {here}, in the explorer's numbers (darts from {known} on, at ?: not explored)"
     beside = (f"The world {here}", parts.walk_in_world(until))
     return [parts.MapPictures([beside, (title, scene)])]
 
@@ -403,18 +405,18 @@ def _remarks(finding: Finding, origin: str, *, checked: bool) -> Iterator[tuple[
         rest = f", and {words.number(more)} more" if more > 0 else ""
         yield "choices", ", ".join(map(str, shown)) + rest
     if checked:
-        confirmed = "no"
+        confirmed = "no: no new process has repeated the run"
         if finding.confirmed:
             confirmed = "yes: a new process, given only the percepts, repeated the run"
-        smaller = "a smaller world may refute"
+        smaller = "a smaller world may refute the explorer, too"
         if finding.minimal:
             among = finding.rules.among
             scope = f"the scope (--where {among.name})" if among else "the scope"
-            smaller = f"no smaller world of {scope} refutes"
+            smaller = f"no smaller world of {scope} refutes the explorer"
         yield "confirmed", f"{confirmed}; {smaller}"
     for world in finding.earlier:
         text = json.dumps(world.to_json(), separators=(",", ":"))
-        yield "explored before", f"{world.in_words}: {text}"
+        yield "ran before", f"in {world.in_words}: {text}"
     yield "origin", origin
 
 

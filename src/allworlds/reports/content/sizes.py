@@ -2,7 +2,13 @@
 
 from allworlds.reports import parts
 from allworlds.reports.content.check import most_expensive
-from allworlds.reports.content.scope import finished, gate_facts, maps_in_words, miscount
+from allworlds.reports.content.scope import (
+    finished,
+    gate_facts,
+    maps_in_words,
+    miscount,
+    of_the_class,
+)
 from allworlds.studies.count import Census
 from allworlds.studies.worst.all_worlds import WorstReport
 from allworlds.words import number, plural, size
@@ -50,7 +56,8 @@ def _counted(census: Census) -> parts.Headline | None:
         ]
         return parts.Headline("MISMATCH", "; ".join(wrong), "error")
     if census.complete and census.whole and census.empty:
-        return parts.Headline("VACUOUS", "there is no such map", "vacuous")
+        text = f"there is no map {of_the_class(census.extent)}"
+        return parts.Headline("VACUOUS", text, "vacuous")
     done = None
     if census.rows:
         total = plural(sum(row.rooted for row in census.rows), "rooted map")
@@ -107,15 +114,15 @@ def _facts(report: WorstReport) -> list[tuple[str, str]]:
         f"goes to the next edge on {ways[report.request.transit]}"
     )
     costs = (
-        "worst: the largest cost of a schedule in any world; best: the largest cost, over the "
-        "worlds, of the cheapest schedule in a world"
+        "worst: the largest cost of a schedule in any world; best: in each world the cheapest "
+        "schedule, and of their costs the largest"
     )
     tests = sum(row.tests for row in report.rows)
     wrong = sum(row.wrong_tests for row in report.rows)
-    tested = "no hypothesis was false, so no false one was tested"
+    tested = "no test was of a false hypothesis" if report.rows else ""
     if tests:
-        verdict = f"{number(wrong)} CONFIRMED" if wrong else "all rejected"
-        tested = f"{plural(tests, 'test')} of false hypotheses, on every path home: {verdict}"
+        verdict = f"{number(wrong)} CONFIRMED a false one" if wrong else "all rejected"
+        tested = f"{plural(tests, 'test')} of false hypotheses, by every path home: {verdict}"
     words = [("scope", scope), ("costs", costs), ("tests", tested)]
     if report.agrees:
         words += gate_facts(report, "world", is_compared=bool(report.rows))

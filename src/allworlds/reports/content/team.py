@@ -12,6 +12,7 @@ from typing import Any
 
 from allworlds.explorers.loading import named_on_command_line
 from allworlds.inputs.requests import given_again
+from allworlds.maps.count_source import source_of
 from allworlds.outcome import Verdict
 from allworlds.protocol.actions import Percept
 from allworlds.reports import parts
@@ -77,8 +78,8 @@ def verdict_of(report: TeamReport) -> parts.Headline:
     searched = plural(total.configurations, "configuration")
     match report.verdict:
         case Verdict.HOLDS:
-            most = f", at most {plural(total.longest, 'activation')} each" if total.longest else ""
-            text = f"{done}{most}; {searched}"
+            most = f"; at most {plural(total.longest, 'activation')} of a robot in a run that ends"
+            text = f"{done}; {searched}{most if total.longest else ''}"
         case Verdict.REFUTED:
             first = report.findings[0]
             text = f"law {first.law} is broken: {first.seen}; {searched}"
@@ -94,7 +95,9 @@ def verdict_of(report: TeamReport) -> parts.Headline:
                 f"{done}; {searched}"
             )
         case Verdict.VACUOUS:
-            text = "the scope holds no start of the robots, or no state at the start"
+            text = "the model yields no state in which a run can begin"
+            if not total.worlds:
+                text = "the scope holds no map in which the robots can start"
         case _:
             text = f"{report.ending.reason}; {done}; {searched}"
     return parts.Headline(report.verdict.value.upper(), text, report.verdict.value)
@@ -104,7 +107,7 @@ def scope_words(report: TeamReport) -> list[tuple[str, str]]:
     """The scope of the verdict as named texts."""
     scope, timing, extent = report.asked, report.asked.timing, report.extent
     maps = each_of(extent.given) if extent.given is not None else "every map"
-    starts = "the given starts" if scope.starts else "every start of the model"
+    starts = "the given starts" if scope.starts else "every start that the model allows"
     shard = "" if report.whole else f", shard {report.portion}"
     bounds = [f"every {timing.scheduler} schedule"]
     if timing.within:
@@ -123,15 +126,15 @@ def scope_words(report: TeamReport) -> list[tuple[str, str]]:
         *option_facts(report, TEAM_SAID),  # type: ignore[arg-type]  # about worlds, too
         ("gate", _gate(report)),
         ("schedules", paths if report.verdict is Verdict.HOLDS else ""),
-        ("anonymous", _anonymous(report)),
+        ("numbers", _of_numbers(report)),
         ("corpus", f"{past.directory}: {past.summary}" if past else ""),
         *(("remark", remark) for remark in report.remarks),
     ]
 
 
-def _anonymous(report: TeamReport) -> str:
+def _of_numbers(report: TeamReport) -> str:
     alike = len(report.asked.team.subjects) == 1 and len(report.explorers) > 1
-    said = "starts that differ only in which robot has which number are searched one by one, too"
+    said = "starts that are equal but for the numbers of the robots are searched separately"
     return said if alike and not report.asked.starts else ""
 
 
@@ -141,7 +144,8 @@ def _gate(report: TeamReport) -> str:
     if not report.whole:
         return "the merge of all shards compares the counts"
     if not report.cells:
-        return "absent: no formula counts these maps, or no level was finished"
+        empty = "no finished level has a map"
+        return empty if source_of(report.extent) else "absent: no formula counts these maps"
     wrong = [cell for cell in report.cells if not cell.agrees]
     if wrong:
         cell = wrong[0]
@@ -212,10 +216,10 @@ def finding_section(found: TeamFinding, index: int) -> parts.Section:
 def unfinished_section(found: TeamFinding) -> parts.Section:
     """A section for a run that the budget cuts off, in the smallest world that has such a run."""
     title = f"A run that is cut off, with {size(*found.key[:2])}"
-    return parts.Section("unfinished", title, [*_run(found)])
+    return parts.Section("unfinished", title, [*_run(found, ("cut off", found.seen))])
 
 
-def _run(found: TeamFinding) -> Iterator[parts.Block]:
+def _run(found: TeamFinding, why: tuple[str, str] | None = None) -> Iterator[parts.Block]:
     map_ = found.map
     starts = ", ".join(
         f"robot {robot} at dart {dart} of v{map_.vertex_of[dart]}"
@@ -223,7 +227,7 @@ def _run(found: TeamFinding) -> Iterator[parts.Block]:
     )
     yield parts.FactList(
         [
-            ("broken", f"{found.law}: {found.seen}"),
+            why or ("broken", f"{found.law}: {found.seen}"),
             ("map", f"sigma {[*map_.sigma]}, alpha {[*map_.alpha]}"),
             ("starts", starts),
             ("model", f"{found.model}, scheduler {found.time.scheduler}"),
@@ -349,5 +353,6 @@ def _cases(report: TeamReport) -> Iterable[parts.SuiteCase]:
         elif edges in report.levels and not report.undecided:
             yield parts.SuiteCase(name)
         else:
-            why = report.ending.reason or "the budget is too small for a verdict"
+            limit = "budget" if report.total.cut_off else "limit --configurations"
+            why = report.ending.reason or f"the {limit} is too small for a verdict"
             yield parts.SuiteCase(name, "skipped", message=why)

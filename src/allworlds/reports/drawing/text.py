@@ -32,7 +32,7 @@ _LEGEND = {
     "→": "a→v.b the other end of dart a is dart b of v",
     "┼": "┼ arcs cross, no vertex",
     "●": "● marker",
-    "●k": "●k k marks for who comes in by this dart",
+    "●k": "●k a robot that comes in by this dart senses k marks",
     "▲": "▲ dart where the bearing is 0",
     "S": "S start",
     "R": "R robot at the end",

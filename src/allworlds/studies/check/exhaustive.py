@@ -30,6 +30,7 @@ from allworlds.studies.check.report import (
     count_gate,
     missing_witnesses,
 )
+from allworlds.words import plural
 
 
 @answers(CheckRequest)
@@ -138,13 +139,13 @@ class CheckSweep(tally_sweep.TallySweep[CheckReport]):
         if scope.whole:
             self._gate += count_gate(extent, level.edges, total)
         if not all(cell.agrees for cell in self._gate):
-            return outcome.Disagreed("the count gate: the enumeration and its source disagree")
+            return outcome.Disagreed("a fault of allworlds: the maps are wrong, as the gate says")
         if level.edges == extent.levels[-1]:
             seen, task = self._tally.witnesses, scope.rules.task
             missing = missing_witnesses(extent, self.job.subject, task, seen)
             return outcome.Completed(missing if scope.whole else ())
         if (found := len(self._tally.findings)) >= self.job.keep:
-            return outcome.Stopped(f"{found} findings in finished levels", final=True)
+            return outcome.Stopped(f"ended after {plural(found, 'finding')}", final=True)
         return None
 
     @override

@@ -353,11 +353,11 @@ def _one(
     """
     if starts is not None:
         renamed(map_, starts)
-        return held("map", name, "one map", [GivenMap(map_, (starts[0],))])
+        return held("map", name, "the map is given", [GivenMap(map_, (starts[0],))])
     codes = dict[Any, int]()
     for dart in map_.darts:
         codes.setdefault(combinatorial.rooted_code(map_.sigma, map_.alpha, dart), dart)
-    return held("map", name, "one map", [GivenMap(map_, tuple(codes.values()))])
+    return held("map", name, "the map is given", [GivenMap(map_, tuple(codes.values()))])
 
 
 def renamed(map_: combinatorial.CombinatorialMap, starts: Sequence[int]) -> tuple[int, ...]:

@@ -35,6 +35,7 @@ from allworlds.studies.check.tally_sweep import record_of, subject_of_record
 from allworlds.studies.team.request import TeamRequest, renamed
 from allworlds.studies.team.team_report import TeamCell, TeamReport
 from allworlds.studies.user_corpus import LeftOpen, corpus_of
+from allworlds.words import plural
 from allworlds.world.named import world_named
 
 
@@ -183,10 +184,10 @@ class TeamSweep(sweep.Sweep[TeamTally, TeamReport]):
         if whole:
             self._gate += gate_of(self.extent, level.edges, total)
         if not all(cell.agrees for cell in self._gate):
-            return outcome.Disagreed("the count gate: the enumeration and its source disagree")
+            return outcome.Disagreed("a fault of allworlds: the maps are wrong, as the gate says")
         found = len(self._tally.findings)
         if found >= self.scope.keep and level.edges != self.extent.levels[-1]:
-            return outcome.Stopped(f"{found} findings in finished levels", final=True)
+            return outcome.Stopped(f"ended after {plural(found, 'finding')}", final=True)
         return None
 
     @override
