@@ -68,7 +68,7 @@ def _walked_together(one: World, other: World) -> tuple[int, bool]:
 
 
 def cycles(_: Means, *, length: int) -> Found:
-    """Walk all motions at once in two cycles without a marker; as a control with one."""
+    """Walk all motions at once in two cycles without a marker; as a control, with one marker."""
     plain = [_walked_together(*pair) for pair in _cycles(_plain, length)]
     control = [_walked_together(*pair) for pair in _cycles(_marked, length)]
     witnesses = {

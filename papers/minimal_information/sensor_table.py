@@ -68,11 +68,11 @@ def table(report: AmbiguitySensors) -> str:
 
 def pictures(report: AmbiguitySensors) -> str:
     """The smallest twins of some sensors, each in a block."""
-    found = str(report).replace(f"{HERE}/", "").split("\nAlike under ")[1:]
+    found = str(report).replace(f"{HERE}/", "").split("\nWorlds that look alike under ")[1:]
     sections = [section.partition("\n\n") for section in found]
     drawn = []
     for name in SHOWN:
-        (body,) = (body for head, _, body in sections if name in " ".join(head.split()).split("; "))
+        (body,) = (body for head, _, body in sections if f"'{name}'" in " ".join(head.split()))
         drawn.append(f"`{name}`:\n\n```text\n{body.rstrip()}\n```")
     return "\n\n".join(drawn)
 
