@@ -28,7 +28,7 @@ VERDICTS = Path(__file__).parents[2] / "docs" / "verdicts.md"
 def test_a_crash_is_told_with_its_last_step_and_the_last_line_of_the_traceback(told):
     law, _, text = told("crashes-at-leaves")
     assert law == "crash"
-    assert "step, 1, was move 0: to v1, dart 1, where it sensed 'degree 1'" in text
+    assert "step, 1 (move 0), the robot was at v1, dart 1, and sensed 'degree 1'" in text
     # It stands in what was seen, and is not said twice.
     assert text.count("IndexError: a vertex without another dart") == 1
 
@@ -111,16 +111,16 @@ def test_a_lost_pose_says_where_the_robot_is_and_how_far_it_is_turned(told):
     law, step, text = told("pose-lost")
     assert (law, step) == ("pose", 2)
     # Two loops side by side, at dart 3; 'here' is dart 0, which the symmetry takes to dart 2.
-    assert "stands at v0, dart 3, and the answer says dart 0 of the same vertex" in text
+    assert "stands at v0, dart 3; the answer says dart 0 of the same vertex" in text
     assert "the same vertex, 1 dart too far clockwise" in text
-    assert "as the map is symmetric, 1 other dart" in text
+    assert "As the map is symmetric, 1 other dart would be right besides dart 3." in text
 
 
 def test_a_robot_at_another_vertex_is_told_so(explained, answering):
     # A vertex of degree 3 with a loop and a leaf: no symmetry.
     explanation = explained(LASSO, answering(LASSO, 3, 0))
     assert explanation.law == "pose"
-    assert "the answer says v1, dart 3, which is another vertex" in explanation.sentences[0]
+    assert "stands at v0, dart 1; the answer says v1, dart 3." in explanation.sentences[0]
     assert explanation.slip == "another vertex"
 
 
@@ -177,7 +177,7 @@ def test_a_wrong_checkpoint_is_told_with_its_step(name, law, told):
 def test_a_pass_without_progress_is_told(told):
     law, step, text = told("pass-without-progress")
     assert (law, step) == ("variant", None)
-    assert "no progress" in text
+    assert "S must gain an edge from each checkpoint to the next; here it did not" in text
     assert "after step 1" in text
 
 

@@ -35,7 +35,7 @@ def test_who_walks_round_a_face_is_told_the_edges_that_it_never_met():
     assert re.fullmatch(
         r"After step [34] the robot found no new edge; [23] edges stayed unknown\.", told[1]
     )
-    walked = "From step 1 on the robot walked a round of 3 steps [0-9,]+ times: to v[0-3], dart"
+    walked = "From step 1 on the robot repeated 3 steps, [0-9,]+ times in all: to v[0-3], dart"
     assert re.match(walked, told[2]), told[2]
     assert told[3].startswith("The robot never walked along the edge from dart")
     assert SHOW not in told
@@ -84,7 +84,7 @@ def test_an_endless_walk_names_its_lines(tmp_path, monkeypatch):
     (finding,) = report.findings
     assert finding.law == "budget"
     assert finding.code.busy[:2] == ("forgets.py:11", "forgets.py:12")
-    (round_,) = [said for said in explain(finding).sentences if "walked a round of" in said]
+    (round_,) = [said for said in explain(finding).sentences if "times in all: to" in said]
     assert round_.endswith("(line forgets.py:5).")
     said = text(report, 200)
     assert "line       forgets.py:5: return (yield Move(k))" in said
@@ -222,7 +222,7 @@ def test_a_walk_that_ends_in_checkpoints_is_told_so():
             yield Checkpoint((1, 0), (1, 0), 0)
 
     told = explain(run(explore, LOOP).finding).sentences
-    assert told[1] == "After step 1 the explorer only showed checkpoints."
+    assert told[1] == "After step 1 it only showed checkpoints, too many in all."
 
 
 STUCK = """from allworlds import Move
@@ -281,8 +281,8 @@ def test_who_takes_one_door_for_another_after_a_way_back_is_told_the_step(ends):
     assert sentence.startswith(
         "Before step 5 the robot was back at v0 and faced dart 1, by which it had"
     )
-    assert "move 2 then led along dart 0, which was already walked. If doors" in sentence
-    assert "counted from dart 0" in sentence
+    assert "so move 2 led along dart 0, which was already walked. Counted" in sentence
+    assert "Counted from dart 0, where the robot stood before it left," in sentence
     assert "would lead along dart 3, which was new" in sentence
     right = run(rooms_from_the_hall(lambda door: min(door, 1), ends), STAR).finding
     assert not [said for said in explain(right).sentences if said.startswith("Before step")]
@@ -309,7 +309,7 @@ def test_a_loop_is_no_other_door_by_which_it_came():
     assert sentence.startswith(
         "Before step 3 the robot was back at v0 and faced dart 1, by which it had"
     )
-    assert "If doors were counted from dart 0" in sentence
+    assert "Counted from dart 0, where the robot stood before it left" in sentence
     assert "would lead along dart 2, which was new" in sentence
 
 
@@ -324,8 +324,8 @@ def test_the_way_back_through_a_loop_is_counted_from_the_door_before_it():
     assert sentence.startswith(
         "Before step 5 the robot was back at v0 and faced dart 5, by which it had"
     )
-    assert "then led along dart 3, which was already walked. If doors" in sentence
-    assert "counted from dart 0" in sentence
+    assert "led along dart 3, which was already walked. Counted from dart 0" in sentence
+    assert "Doors count from this dart" in sentence
 
 
 def test_who_only_lays_markers_down_and_takes_them_up_is_told_its_last_step():
@@ -335,7 +335,9 @@ def test_who_only_lays_markers_down_and_takes_them_up_is_told_its_last_step():
             yield Pick()
 
     sentences = explained(explore, "edge", "movable")
-    assert sentences[1].startswith("The last step, 1090, was pick: to v0, dart 0, where it sen")
+    assert sentences[1].startswith(
+        "After the last step, 1090 (pick), the robot was at v0, dart 0, and sen"
+    )
 
 
 @pytest.mark.parametrize(("rooms", "more"), [(9, ""), (10, " and 1 more"), (11, " and 2 more")])

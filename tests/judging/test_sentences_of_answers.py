@@ -386,12 +386,12 @@ PAIRS = "dart # with # and dart # with #"
 DIFFERENCES = {
     "mirror": (
         "mirror image",
-        "The answer is a mirror image: with its rotations read anticlockwise it would be right.",
+        "The answer is a mirror image: with sigma reversed it would be right.",
         always,
     ),
     "mirror map": (
         "mirror image",
-        "The answer's map is the mirror image of the world's: its rotations are anticlockwise.",
+        "The answer's map is the world's mirror image: its sigma goes anticlockwise.",
         always,
     ),
     "bearings": (
@@ -419,12 +419,12 @@ DIFFERENCES = {
     ),
     "two for one": (
         "one vertex for two",
-        "The answer takes v# and v# for one vertex, and lacks their edge.",
+        "The answer takes v# and v# for one vertex, and lacks an edge between them.",
         merged,
     ),
     "too many": (
         "edge too many",
-        "The answer has one edge too many: without it, it is the map of the world.",
+        "The answer has one edge too many; without this edge it is the world's map.",
         always,
     ),
     "one for two": (
@@ -487,10 +487,10 @@ def test_of_a_wrong_map_the_difference_and_the_parting_are_told_as_they_are():
 
 
 WHERE = (
-    r"the robot stands at (v\d+, dart \d+), and the answer says (?:(v\d+, dart (\d+)), which is "
-    r"another vertex|dart (\d+) of the same vertex, (\d+ darts?) too far (anticlockwise|clockwise))"
-    r"(; dart (\d+) is the other end of the edge by which the robot came)?"
-    r"( \(as the map is symmetric, (\d+ other darts?) would be right, too\))?\."
+    r"the robot stands at (v\d+, dart \d+); the answer says (?:(v\d+, dart (\d+))|dart (\d+) of "
+    r"the same vertex, (\d+ darts?) too far (anticlockwise|clockwise))\."
+    r"( Dart (\d+) is the other end of the edge by which the robot came\.)?"
+    r"( As the map is symmetric, (\d+ other darts?) would be right besides dart (\d+)\.)?"
 )
 
 
@@ -505,11 +505,11 @@ def test_of_a_wrong_pose_it_is_told_where_the_robot_is_and_where_it_believes_to_
         bearings = truth.bearings_fit(-1) and not truth.bearings_fit(1)
         head = "The map is right, but 'here' is wrong: "
         if mirror:
-            head = "Either 'here' is wrong, or the rotations are anticlockwise: "
+            head = "Either 'here' is wrong, or sigma of the answer goes anticlockwise: "
             if bearings:
                 head = (
-                    "Either 'here' is wrong, or the rotations are anticlockwise, or the bearings "
-                    "are counted anticlockwise: "
+                    "Either 'here' is wrong, or sigma of the answer goes anticlockwise, or the "
+                    "bearings are counted anticlockwise: "
                 )
             assert more == [
                 "This world is its own mirror image, so no run in it shows which mistake it is."
@@ -519,7 +519,7 @@ def test_of_a_wrong_pose_it_is_told_where_the_robot_is_and_where_it_believes_to_
         assert first.startswith(head), first
         found = re.fullmatch(WHERE, first.removeprefix(head))
         assert found, first
-        stands, place, other, dart, far, way, back, end, _, alike = found.groups()
+        stands, place, other, dart, far, way, back, end, _, alike, besides = found.groups()
         said = int(other or dart)
         assert stands == truth.place(robot)
         # The dart is one that 'here' can stand for, at the robot's vertex where there is one.
@@ -547,6 +547,7 @@ def test_of_a_wrong_pose_it_is_told_where_the_robot_is_and_where_it_believes_to_
         assert not back or int(end) == said
         symmetries = sum(bool(rooted_isomorphism(map_, robot, map_, d)) for d in map_.darts)
         assert alike == (plural(symmetries - 1, "other dart") if symmetries > 1 else None)
+        assert besides == (str(robot) if symmetries > 1 else None)
         slip = "off by a turn" if near else "another vertex"
         assert told.slip == ("bearings anticlockwise" if bearings and not mirror else slip)
         met |= {(bool(near), way, bool(back), bool(alike)), bool(mirror), bool(bearings)}

@@ -59,7 +59,10 @@ def told(explore, world, **rules):
 def test_the_last_step_is_told_with_its_place_and_percept():
     # Out of the middle by 2, which leads to v2 with its one dart.
     (_, last) = told(walking(Move(0), Move(1)), PATH_OF_3)
-    assert last == "The last step, 2, was move 1: to v2, dart 3, where it sensed 'degree 1'."
+    assert (
+        last
+        == "After the last step, 2 (move 1), the robot was at v2, dart 3, and sensed 'degree 1'."
+    )
     (_, start) = told(walking(), PATH_OF_3)
     assert start == (
         "The robot made no step: it stood at the start, v0, dart 0, and sensed 'degree 1, marked, "
@@ -70,7 +73,7 @@ def test_the_last_step_is_told_with_its_place_and_percept():
 def test_a_named_vertex_is_told_by_its_name_alone():
     named = World.from_json(PATH_OF_3.to_json() | {"names": ["hall", "stairs", "loft"]})
     (_, last) = told(walking(Move(0)), named)
-    assert "to stairs, dart 1, where" in last
+    assert "was at stairs, dart 1, and" in last
 
 
 # ---------------------------------------------------------------- what it left out
@@ -86,7 +89,7 @@ def test_the_vertices_that_were_never_visited_are_named_up_to_some_number():
     said = told(walking(*three, answer=1), STAR, task="stop")
     assert said[1] == "The robot never visited v1, v3 and v6."
     (_, last) = told(walking(Move(0), answer=1), PATH_OF_3, task="home")[1:]
-    assert last.startswith("The last step")
+    assert last.startswith("After the last step")
     missed = told(walking(Move(0), answer=1), PATH_OF_3, task="home")[1]
     assert missed == "The robot never visited v2."
 
@@ -198,7 +201,7 @@ def test_a_wrong_checkpoint_is_told_with_the_step_place_and_percept_before_it():
         assert said.sentences[1:] == (f"The checkpoint came after step 1, {shown}",)
         assert said.step == step
     (only,) = explain(replace(ended, law="variant", step=None)).sentences
-    assert only.startswith("The explorer made no progress")
+    assert only.startswith("The explorer ended too early")
 
 
 def test_the_first_wrong_checkpoint_goes_before_what_followed():
@@ -210,8 +213,8 @@ def test_the_first_wrong_checkpoint_goes_before_what_followed():
             text = explain(replace(finding, law=law, wrong_checkpoint=wrong))
             shown = wrong or "its S is not the explored part"
             first = (
-                f"The checkpoint after step 1 is already wrong: {shown}. Mend this first: later "
-                "mistakes may follow from it."
+                f"The checkpoint after step 1 is already wrong (in the numbers of its S): {shown}. "
+                "Mend this first: later mistakes may follow from it."
             )
             assert text.sentences[0 if law == "budget" else 1] == first
             assert text.step == 1
@@ -229,7 +232,7 @@ def test_of_an_endless_walk_it_is_told_since_when_nothing_was_new():
     assert loop == [
         how,
         "After step 1 the robot found no new edge; 1 edge stayed unknown.",
-        "From step 1 on the robot walked a round of 2 steps 3 times: to v0, dart 1; v0, dart 0",
+        "From step 1 on the robot repeated 2 steps, 3 times in all: to v0, dart 1; v0, dart 0",
         "The robot never walked along the edge from dart 2 of v0 to dart 3 of v1.",
         whose,
     ]
@@ -246,12 +249,12 @@ def test_of_an_endless_walk_it_is_told_since_when_nothing_was_new():
     tasked[2] = tasked[2].partition(" (line")[0]
     assert tasked[1:] == [
         "After step 1 the robot found no new edge; 1 edge stayed unknown.",
-        "From step 1 on the robot walked a round of 2 steps 3 times: to v0, dart 1; v0, dart 0",
+        "From step 1 on the robot repeated 2 steps, 3 times in all: to v0, dart 1; v0, dart 0",
         "The robot never visited v1.",
         whose,
     ]
     shown = told(walking(Move(0), Move(0), then=Checkpoint((1, 2, 0), (1, 0, 2), 0)), LEAFY_LOOP)
-    assert shown[1] == "After step 2 the explorer only showed checkpoints."
+    assert shown[1] == "After step 2 it only showed checkpoints, too many in all."
     still = told(walking(then=Drop()), World(EDGE, Movable(), 0), step_budget=1)
     assert not [line for line in still if "met no new edge" in line]
 
@@ -379,10 +382,10 @@ def test_a_marker_that_the_answer_does_not_have_there_is_not_taken_up_in_it():
 def test_who_has_not_moved_did_not_come_by_an_edge():
     world = World(LASSO, Movable(), 0)
     said = told(walking(Drop(), Pick(), answer=Estimate(LASSO, 1)), world, laws=("pose",))
-    assert "stands at v0, dart 0, and the answer says dart 1 of the same vertex" in said[0]
+    assert "stands at v0, dart 0; the answer says dart 1 of the same vertex" in said[0]
     assert "other end" not in said[0]
     moved = told(walking(Move(1), answer=Estimate(LASSO, 1)), world, laws=("pose",))
-    assert "; dart 1 is the other end of the edge by which the robot came" in moved[0]
+    assert ". Dart 1 is the other end of the edge by which the robot came." in moved[0]
 
 
 def test_who_acts_last_without_a_move_has_stayed_where_the_answer_leaps():

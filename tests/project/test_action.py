@@ -95,7 +95,7 @@ def test_without_edges_the_worlds_of_a_file_are_checked(job):
     (job.workspace / "plan.json").write_text('{"map": {"sigma": [1, 0], "alpha": [1, 0]}}')
     job.run(use(explorer="algorithm1", options="--worlds plan.json"))
     assert job.outputs == {"verdict": "holds", "exit-code": "0"}, job.log
-    assert "world of plan.json" in job.log
+    assert "map of plan.json" in job.log
 
 
 @pytest.mark.parametrize(("given", "most"), [({}, 1), ({"edges": "2"}, 2)])

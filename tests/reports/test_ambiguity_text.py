@@ -32,15 +32,14 @@ def test_twins_are_drawn_with_the_class_of_each_dart_and_a_reason():
     text = twins_text(twins(named("two-loops-plane"), named("two-loops-torus")), 100)
     assert text.startswith("TWINS")
     assert (
-        "both are covers with 4 sheets of the same quotient, which has 1 class of darts. At all "
-        "darts of one class a robot senses the same, and each motion leads from them to darts of "
-        "one class again: so no motion tells the worlds apart"
+        "both are covers with 4 sheets of the same quotient, which has 1 class of darts. Darts of "
+        "one class look alike, so no motion tells the worlds apart"
     ) in flat(text)
     assert "World A (genus 0)" in text
     assert " a a a a" in text
     assert text.endswith(
-        "classes clockwise  sensed there      times round\n"
-        "a↺                 degree 4, marked            4"
+        "classes clockwise  sensed there      times round a vertex\n"
+        "a↺                 degree 4, marked                     4"
     )
 
 
@@ -82,7 +81,9 @@ def test_the_darts_that_bearings_count_to_are_drawn(kind):
 
 def test_a_class_is_drawn_and_explained():
     text = class_text(class_of(named("k4"), map_class="simple"), 100)
-    assert text.startswith("AMBIGUOUS  2 worlds in the class 'simple'; all are covers with 3")
+    assert text.startswith(
+        "AMBIGUOUS  2 worlds in the class 'simple' look alike, the given one included; all are"
+    )
     assert "The given world (genus 0)" in text
     assert "World 2 (genus 1)" in text
     assert "more worlds: --json" not in text

@@ -7,6 +7,7 @@ import pytest
 from allworlds import compare, run
 from allworlds.documents.document import replace
 from allworlds.maps import named_map
+from allworlds.maps.classes import Extent, MapClass
 from allworlds.reports.content import ambiguity, ledger, scope, sizes
 from allworlds.reports.content.compare import _exponents
 from allworlds.reports.content.scope import explorer_facts, gate_facts
@@ -94,7 +95,7 @@ MISCOUNTED = (
     ("given", "what"),
     [
         ({"agrees": False}, ("MISMATCH", MISCOUNTED)),
-        ({"agrees": True}, ("VACUOUS", "there is no such map")),
+        ({"agrees": True}, ("VACUOUS", "there is no map of the class 'maps' with at most 3 edges")),
     ],
 )
 def test_the_first_line_of_a_count(given, what):
@@ -102,7 +103,8 @@ def test_the_first_line_of_a_count(given, what):
         SimpleNamespace(edges=2, miscounts=[(1, 1, 3), (3, 2, 1)]),
         SimpleNamespace(edges=3, miscounts=[]),
     ]
-    census = SimpleNamespace(rows=rows, source="T", complete=True, whole=True, empty=True, **given)
+    done = {"complete": True, "whole": True, "empty": True, "extent": Extent(MapClass.MAPS, 3)}
+    census = SimpleNamespace(rows=rows, source="T", **done, **given)
     found = sizes._counted(census)
     assert (found.word, found.text) == what
 
@@ -119,11 +121,7 @@ def test_the_first_line_where_no_schedule_was_worked_on(monkeypatch):
     [
         ({}, True, "no map was forgotten: the number equals an independent count (T)"),
         ({}, False, "no level was finished, so nothing was compared"),
-        (
-            {"whole": False},
-            True,
-            "not for shard 1/2 alone; the merge of all shards compares the counts",
-        ),
+        ({"whole": False}, True, "the merge of all shards compares the counts"),
         ({"source": ""}, True, "absent: no formula counts the maps that are cubic"),
     ],
 )
@@ -188,21 +186,24 @@ def test_lines_that_run_in_a_refuting_run_alone_are_told_up_to_a_number():
     code = SimpleNamespace(source=str, alone=["a:1", "a:2", "a:3"], right=1, steps=(), busy=())
     finding = SimpleNamespace(code=code, believed=None, law="crash", detail="")
     told = dict(_lines(finding, None))
-    only = "a:1; a:2; a:3 (not reached in 1 run without a finding)"
+    only = "a:1; a:2; a:3 (1 run that broke no law did not get there)"
     assert told["only here"] == only
     code.alone.append("a:4")
     assert len(code.alone) == MOST_LINES + 1
-    assert "a:3; 1 other line: --json lists them (not" in dict(_lines(finding, None))["only here"]
+    assert "a:3; 1 other line: --json lists them (1 run" in dict(_lines(finding, None))["only here"]
     assert [*_lines(SimpleNamespace(code=None), None)] == []
+
+
+NOT = "no: no new process has repeated the run"
 
 
 @pytest.mark.parametrize(
     ("confirmed", "minimal", "among", "words"),
     [
-        (False, False, None, "no; a smaller world may refute"),
+        (False, False, None, f"{NOT}; a smaller world may refute the explorer, too"),
         (True, True, None, "yes: a new process, given only the percepts, repeated the run; no "),
-        (False, True, "cubic", "no; no smaller world of the scope (--where cubic) refutes"),
-        (False, True, None, "no; no smaller world of the scope refutes"),
+        (False, True, "cubic", f"{NOT}; no smaller world of the scope (--where cubic) refutes the"),
+        (False, True, None, f"{NOT}; no smaller world of the scope refutes the explorer"),
     ],
 )
 def test_a_finding_says_whether_it_is_confirmed_and_the_smallest(confirmed, minimal, among, words):
@@ -213,7 +214,7 @@ def test_a_finding_says_whether_it_is_confirmed_and_the_smallest(confirmed, mini
     )
     told = dict(_remarks(finding, "here", checked=True))
     assert told["confirmed"].startswith(words)
-    assert (told["explored before"], told["origin"]) == ('one edge: {"a":1}', "here")
+    assert (told["ran before"], told["origin"]) == ('in one edge: {"a":1}', "here")
     assert "confirmed" not in dict(_remarks(finding, "here", checked=False))
 
 
@@ -279,7 +280,10 @@ def test_each_explorer_of_a_comparison_has_its_rules_its_places_and_its_file(mon
     assert told == "a.py holds the explorer, and code that judges it: see docs/trust.md"
 
 
-INTERVAL = "95%, by Student's t on logarithms; -: fewer than 5 worlds"
+INTERVAL = (
+    "95% confidence in mean or ratio, by Student's t on logarithms; - there: fewer than 5 worlds, "
+    "or a cost of 0"
+)
 
 
 @pytest.mark.parametrize("lack", ["", "scipy is not installed"])
@@ -300,12 +304,12 @@ def test_in_the_map_of_a_checkpoint_the_vertices_that_are_not_explored_have_no_n
     (block,) = _belief(story)
     _, (title, scene) = block.entries
     assert [*scene.vertices] == ["s0", "?", "?"]
-    assert "with the explorer's own darts 0 to 1 (?: not explored)" in title
+    assert "in the explorer's numbers (darts from 2 on, at ?: not explored)" in title
     story.finding.step = None
     assert _belief(story)
     shown.here = 9
     (block,) = _belief(story)
-    assert "is no map: sigma [1, 0], alpha [0, 1], here 9" in str(block)
+    assert "sigma [1, 0], alpha [0, 1], here 9. This map has no such dart 'here'" in str(block)
 
 
 def grown(exponent, lack=""):

@@ -195,7 +195,9 @@ def test_other_worlds_in_the_same_number_are_an_error(holds):
     first, *others = holds.cells
     report = replace(holds, cells=(replace(first, fingerprint="abc"), *others))
     assert report.exit_code == 70
-    assert "but their fingerprint is abc" in suite_of(report)[0][0].get("message")
+    assert "but not the maps: their fingerprint is abc, not " in suite_of(report)[0][0].get(
+        "message"
+    )
 
 
 def test_a_mismatch_in_a_refuted_level_keeps_the_finding(refuted):

@@ -27,15 +27,15 @@ from html_tree import read
 from studies.test_team import PROGRAMS, team
 
 HOLDS = """\
-HOLDS      44 worlds with starts, 2 robots, every fsync schedule, at most 5 activations each; 69
-           configurations
+HOLDS      44 worlds with starts, 2 robots, every fsync schedule; 69 configurations; at most 5
+           activations of a robot in a run that ends
 
 What was searched
 
 programs   PROGRAMS:waits, PROGRAMS:searches
 model      meeting:apart=false
-scope      every start of the model in every map of the class 'maps' with at most 2 edges; every
-           fsync schedule
+scope      every start that the model allows in every map of the class 'maps' with at most 2 edges;
+           every fsync schedule
 gate       no map was forgotten: the number equals an independent count (log-series of
            permutations)
 schedules  44
@@ -75,11 +75,11 @@ What was searched
 
 programs   PROGRAMS:other_end, PROGRAMS:other_end
 model      meeting
-scope      every start of the model in every map of the class 'maps' with at most 1 edge; every
-           async schedule
+scope      every start that the model allows in every map of the class 'maps' with at most 1 edge;
+           every async schedule
 gate       no map was forgotten: the number equals an independent count (log-series of
            permutations)
-anonymous  starts that differ only in which robot has which number are searched one by one, too
+numbers    starts that are equal but for the numbers of the robots are searched separately
 
 Finished levels
 edges  vertices  maps  worlds  configurations  most  longest
@@ -189,7 +189,7 @@ def test_a_run_that_is_cut_off_is_told_and_is_no_finding(cut_off):
         ),
         (
             {"where": "cubic"},
-            "VACUOUS    the scope holds no start of the robots, or no state at the start",
+            "VACUOUS    the scope holds no map in which the robots can start",
         ),
         ({"within": 4}, "REFUTED    law budget is broken: the goal is not reached within 4 "),
     ],
@@ -223,13 +223,13 @@ def test_of_given_starts_it_is_said_that_they_are_given():
     report = team("waits", world='{"sigma":[0,1],"alpha":[1,0]}', starts=(0, 1), budget=4)
     said = dict(content.scope_words(report))
     assert said["scope"].startswith("the given starts in ")
-    assert said["anonymous"] == ""
+    assert said["numbers"] == ""
     assert said["gate"] == report.extent.given.gate
 
 
 def test_robots_with_programs_of_their_own_are_not_anonymous(holds, refuted):
-    assert dict(content.scope_words(holds))["anonymous"] == ""
-    assert dict(content.scope_words(refuted))["anonymous"]
+    assert dict(content.scope_words(holds))["numbers"] == ""
+    assert dict(content.scope_words(refuted))["numbers"]
 
 
 def test_the_gate_names_the_first_size_that_differs():

@@ -98,7 +98,7 @@ def test_the_text_says_what_was_checked():
 def test_the_text_of_an_incomplete_check_says_so():
     text = check_text(check("algorithm1", engine="python", edges=8, time_limit=0.5), 100)
     assert "INCONCLUSIVE" in text
-    assert "NOT complete" in text
+    assert "INCOMPLETE the time limit of 0.5 s was reached; finished levels: 1 edge" in text
 
 
 def test_the_text_of_a_shard_defers_the_gate():

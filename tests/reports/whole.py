@@ -275,6 +275,7 @@ def changed_findings_told():
         ("illegal-action", program, {"seen": "a line that is no JSON: '{\"a\":1'", "detail": ""}),
         ("illegal-action", program, {"seen": "a line that is no JSON: '\\\\x00a'", "detail": ""}),
         ("illegal-action", program, {"seen": "the line 1: it has none of the keys", "detail": ""}),
+        ("illegal-action", program, {"seen": "the line {}: it has none of the keys", "detail": ""}),
         ("illegal-action", program, {"seen": "a Drop", "detail": ""}),
         ("nondeterministic", base, {"seen": "the second answer differs", "detail": "a\nb"}),
         ("nondeterministic", program, {"seen": "a line before it was asked", "detail": "a\nb"}),
@@ -418,11 +419,13 @@ def checks():
     yield check("algorithm1", worlds=plantri("tri5.pl"), engine="python")
     yield check(mine.first_edge, worlds=plantri("tri5.pl"), max_findings=9)
     cells = [replace(each, counted=each.counted + 1) for each in held.cells]
-    yield replace(held, cells=(held.cells[0], *cells[1:]))
-    yield replace(held, cells=(replace(held.cells[0], listed="abc"), *held.cells[1:]))
+    wrong = Disagreed("a fault of allworlds: the maps are wrong, as the gate says")
+    yield replace(held, cells=(held.cells[0], *cells[1:]), ending=wrong)
+    other = replace(held.cells[0], listed="abc")
+    yield replace(held, cells=(other, *held.cells[1:]), ending=wrong)
     for ending in (
         Stopped("the time is over"),
-        Stopped("enough findings", final=True),
+        Stopped("ended after 2 findings", final=True),
         Interrupted(),
         Disagreed("two engines disagree about one world"),
     ):
@@ -722,7 +725,8 @@ def teams():
     yield replace(held, ending=Stopped("the time is over"), levels=(1,), cells=held.cells[:1])
     yield replace(held, ending=Interrupted(), levels=(), cells=())
     wrong = replace(held.cells[1], counted=9)
-    yield replace(held, cells=(held.cells[0], wrong))
+    ending = Disagreed("a fault of allworlds: the maps are wrong, as the gate says")
+    yield replace(held, cells=(held.cells[0], wrong), ending=ending)
 
 
 @case

@@ -70,7 +70,9 @@ def test_a_world_that_is_its_own_mirror_image_does_not_show_which_slip_it_is(nam
     (finding, *_) = report_of(name).findings
     told = explain(finding)
     assert told.slip == "off by a turn"
-    assert told.sentences[0].startswith("Either 'here' is wrong, or the rotations are anticlock")
+    assert told.sentences[0].startswith(
+        "Either 'here' is wrong, or sigma of the answer goes anticlockw"
+    )
     assert "its own mirror image" in told.sentences[1]
 
 

@@ -158,13 +158,16 @@ def test_a_report_tells_what_was_covered_and_what_follows():
     assert covered["edges m"] == (edges[0], edges[17], edges[-1])
     assert all(least <= median <= most for least, median, most in covered.values())
     told = dict(scope_words(report))
-    assert told["mixture"].startswith("uniform, cover, ring, regular, sparse, planar,")
+    assert told["mixture"].startswith(
+        "drawn in these ways in turn: uniform, cover, ring, regular, sparse, planar,"
+    )
     assert told["chance"] == (
-        "not refuted in 36 fresh draws: with 95 % confidence, one more draw from this "
-        "mixture refutes with probability below 3/36"
+        "none of 36 random draws refutes the explorer: with 95 % confidence one more from this "
+        "mixture does with probability < 0.08333"
     )
     # That is so: a slip that shows with this probability escapes 36 draws less often.
-    assert all((1 - 3 / draws) ** draws < 0.05 for draws in (3, 36, 10**6))
+    bounds = {draws: float(f"{3 / draws:.4g}") for draws in (3, 36, *range(1000, 1100), 10**6)}
+    assert all((1 - bound) ** draws < 0.05 for draws, bound in bounds.items())
 
 
 def test_nothing_follows_for_a_shard_or_from_a_refuted_or_unfinished_sample():

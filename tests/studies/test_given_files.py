@@ -61,9 +61,9 @@ def test_worlds_of_a_file_are_tried_as_worlds_that_are_given(plans):
     assert len(scope["sha256"]["plans.jsonl"]) == 64
     said = text(report, 1000)
     assert (
-        "every start and marker of the directional lighthouse in each of 6 worlds of plans" in said
+        "every start and place of the lighthouse 'directional' in each of 6 maps of plans" in said
     )
-    assert "absent: worlds of a file" in said
+    assert "absent, as the maps come from a file" in said
     assert "every given world with 8 edges" in file_of("junit", report)
 
 
@@ -86,11 +86,11 @@ def test_what_a_file_fixes_is_not_varied(tmp_path):
     assert allworlds.check("quotient", worlds=placed).runs == 3 + 6
     report = allworlds.check("quotient", worlds=both)
     assert (report.runs, str(report.asked.rules.lighthouse)) == (1, "position")
-    assert "one start and marker of the position lighthouse" in text(report, 1000)
+    assert "one start and place of the lighthouse 'position' in the map of" in text(report, 1000)
     marked = write(tmp_path / "marked.jsonl", as_json("k4", lighthouse=position))
     report = allworlds.check("quotient", worlds=marked)
     assert report.runs == 3
-    assert "every start and marker of the position lighthouse in 1 world of" in text(report, 1000)
+    assert "every start and place of the lighthouse 'position' in the map of" in text(report, 1000)
     (given,) = worlds_of_files(files_of(both), "clockwise", None).piece(6, 0)
     ((map_, [(_, place)]),) = given.placed(Position)
     # Where v0 is, is kept: its distance from the start, and the degree.
@@ -166,7 +166,7 @@ def test_lighthouses_must_agree(tmp_path, refused):
     assert f"k4 of {two} has 'position', and theta of {two} has 'none'" in said
     for verb in (["check", "folding"], ["ambiguity", "census"]):
         said = refused(*verb, "--worlds", one, "--lighthouse", "directional")
-        assert "lighthouse = 'directional', but 1 world of" in said
+        assert "lighthouse = 'directional', but 1 map of" in said
     assert "have 'position'" in refused("worst", "--worlds", one)
 
 
@@ -174,7 +174,7 @@ def test_lighthouses_must_agree(tmp_path, refused):
     ("options", "said"),
     [
         (["--worlds", "nowhere.jsonl"], "file 'nowhere.jsonl' cannot be read: No such file"),
-        (["--worlds", "plans.jsonl", "--edges", "1"], "6 worlds of plans.jsonl have at least 2"),
+        (["--worlds", "plans.jsonl", "--edges", "1"], "6 maps of plans.jsonl have at least 2"),
         (["--order", "anticlockwise"], "has no effect without worlds of a file"),
         (["--embeddings", "all"], "embeddings = 'all' has no effect without a graph"),
         (["--graph", "k4", "--embeddings", "plane"], "'plane' is not one of all, genus:G"),
@@ -233,7 +233,7 @@ def test_compare_goes_through_a_file(plans):
     assert {row.edges for row in report.rows} == {2, 3, 5, 6, 8}
     # Starts from which a world looks the same count once: those of K4 are one.
     assert {(row.edges, row.vertices): row.worlds for row in report.rows}[6, 4] == 1 + 3
-    assert "every start in each of 6 worlds of plans.jsonl" in text(report, 1000)
+    assert "every start in each of 6 maps of plans.jsonl" in text(report, 1000)
     with pytest.raises(InputError, match=r"worlds = .* has no effect on family"):
         allworlds.compare("folding", "algorithm1", worlds=plans, family="k:4")
     with pytest.raises(InputError, match=r"worlds = .* has no effect on worlds that grow"):
@@ -283,7 +283,7 @@ def test_a_world_without_a_name_has_a_number(tmp_path, monkeypatch):
     file = write(tmp_path / "a.jsonl", as_json("k4", name=""), as_json("theta", name=""))
     report = allworlds.check("mine.py:goes_on", worlds="a.jsonl", task="cover:edges", workers=1)
     assert report.findings[0].world.labels.name == "2 of a.jsonl"
-    with pytest.raises(InputError, match="estimate is for a class, not for 2 worlds of"):
+    with pytest.raises(InputError, match="estimate is for a class, not for 2 maps of"):
         estimate("folding", worlds=file)
 
 
@@ -307,7 +307,7 @@ def test_a_history_makes_its_map_again(edges):
 def test_every_embedding_of_a_graph_is_tried(which, maps):
     report = allworlds.check("algorithm1", graph="k4", embeddings=which)
     assert (report.verdict.value, report.worlds, report.runs) == ("holds", 12 * maps, 36 * maps)
-    assert "absent: embeddings of a graph" in text(report, 1000)
+    assert "absent, as the maps are embeddings of a graph" in text(report, 1000)
     assert report.to_json()["scope"]["graph"] == "k4"
 
 
@@ -390,4 +390,4 @@ def test_other_processes_get_what_is_told_of_given_maps_and_not_the_maps(plans):
     given = worlds_of_files(files_of(plans), None, None)
     sent = pickle.loads(pickle.dumps(given))
     assert {**vars(sent), "codes": 0} == {**vars(given), "_at": None, "_find": None, "codes": 0}
-    assert (sent.words, sent.codes) == (f"{len(NAMES)} worlds of plans.jsonl", given.codes)
+    assert (sent.words, sent.codes) == (f"{len(NAMES)} maps of plans.jsonl", given.codes)

@@ -37,7 +37,7 @@ def test_given_worlds_are_tried_as_they_are_in_a_check_of_all(workers):
     assert "given" not in every.to_json()["scope"]
     said = text(report, 1000)
     assert f"each of {every.runs} given worlds of the class 'maps'" in said
-    assert "absent: the worlds were given" in said
+    assert "absent, as the worlds are given" in said
 
 
 def test_a_world_may_be_numbered_in_any_way():

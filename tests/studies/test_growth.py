@@ -202,7 +202,7 @@ def test_a_broken_law_refutes():
 def test_a_world_without_a_place_is_left_out_and_nothing_left_is_vacuous():
     told = compare("algorithm1-natural", family=["torus"], to=18, draws=1)
     assert (told.verdict.value, told.exit_code, told.left_out) == ("vacuous", 4, 1)
-    assert "1 world without a place" in text_of(told, 100)
+    assert "1 world: no place for the lighthouse" in text_of(told, 100)
 
 
 def test_the_time_limit_and_an_interrupt_leave_finished_sizes(monkeypatch):

@@ -237,7 +237,7 @@ def test_a_disagreement_within_the_program_refutes_whatever_is_expected(paper, f
     body = f"from {fault.__module__} import {fault.__name__} as Fault; raise Fault('3, and 4')"
     one = entries(with_function(paper, "not_all", body))["not-all"]
     assert (one.verdict, one.standing) == ("refuted", "unexpected")
-    assert one.differences == ("a disagreement within this program: 3, and 4",)
+    assert one.differences == ("the check failed, so the claim counts as refuted: 3, and 4",)
 
 
 def test_an_error_keeps_its_traceback(paper):
@@ -259,7 +259,7 @@ def test_the_line_tells_what_those_need_that_were_not_checked(paper):
     reasons = ("no Coq", "no Coq", "no time")
     some = [entry_with(c, "quick", NotChecked(r)) for c, r in zip(claims, reasons, strict=True)]
     told = brief(report_of(*some), 100)
-    assert told.startswith("VACUOUS: 3 claims: 3 not checked (2: no Coq; 1: no time)")
+    assert told.startswith("VACUOUS: 3 claims: 2 not checked (no Coq), 1 not checked (no time)")
 
 
 def test_an_error_outweighs_an_interrupt_which_outweighs_a_difference(paper):
@@ -336,9 +336,9 @@ def test_each_standing_has_its_sign_and_what_differs_is_told(paper):
     signs = [line[0] for line in told.splitlines() if line[:1] in "=≠?-" and line[1:2] == " "]
     assert signs[:3] == ["=", "≠", "-"]
     assert "DIFFERS    not-all: verdict: expected refuted, found holds" in told
-    assert "REQUIRED   proof was not checked" in told
+    assert "REQUIRED   proof must be checked, as --require says, but was not\n" in told
     assert brief(report, 100) == (
-        "REFUTED: 3 claims: 1 holds, 1 not as expected, 1 not checked (1: Coq is not installed)"
+        "REFUTED: 3 claims: 1 holds, 1 not as expected, 1 not checked (Coq is not installed)"
     )
 
 

@@ -90,7 +90,9 @@ def test_the_line_of_a_crash_runs_in_no_right_run_and_is_shown():
     assert ends_at(finding.code.alone[-1], "raises")
     assert finding.code.right > 0
     assert f":{line_of('raises')}: raise ValueError(percept)  # raises" in str(finding)
-    assert f"(not reached in {finding.code.right} run" in " ".join(str(finding).split())
+    assert f"({finding.code.right} runs that broke no law did not get there)" in " ".join(
+        str(finding).split()
+    )
 
 
 def test_lines_that_run_in_right_runs_are_not_among_them():
@@ -149,8 +151,10 @@ def test_the_wrong_checkpoint_is_kept_and_drawn_beside_the_world():
     assert ends_at(finding.code.checkpoints[shown.number], "twisted")
     text = str(finding)
     assert f"The world after step {shown.step}\n" in text
-    size = len(shown.sigma) - 1
-    assert f"The S after step {shown.step}, with the explorer's own darts 0 to {size}" in text
+    known = f"(darts from {len(shown.sigma)} on, at ?: not explored)"
+    assert f"The S after step {shown.step}, in the explorer's numbers {known}" in " ".join(
+        text.split()
+    )
     page = finding._repr_html_()
     assert f"The S after step {shown.step}" in page
 
@@ -166,7 +170,8 @@ def test_a_checkpoint_that_is_no_map_is_told_by_its_lists():
         yield Checkpoint([0, 0], [1, 0], 0)
         yield from on_and_on(first)
 
-    assert "no map: sigma [0, 0], alpha [1, 0], here 0" in " ".join(str(found(shows)).split())
+    lists = "in the explorer's numbers: sigma [0, 0], alpha [1, 0], here 0. This is no map"
+    assert lists in " ".join(str(found(shows)).split())
 
 
 # ---------------------------------------------------------------- walks without an end

@@ -79,13 +79,13 @@ def test_what_is_told_is_a_part_of_what_is_known():
 def test_the_report_draws_the_order_and_the_smallest_twins():
     said = text(sensors("position", "door", "word:12", "word:1", "none", edges=2), 100)
     assert "  door\n     word:12\n        word:1\n" in said
-    assert "Alike under position; word:1\n" in said
+    assert "Worlds that look alike under 'position' and 'word:1'\n" in said
     assert said.count("World B") == 3
 
 
 def test_of_two_that_are_equal_in_the_end_the_one_that_senses_less_at_a_step_is_told():
     said = text(sensors("directional", "door", "word:1", edges=2), 100)
-    assert "  door senses less than directional at a step, but in the end as much\n" in said
+    assert " in one step door senses less than directional, in many as much\n" in said
     assert said.count(" senses less than ") == 1  # word:1 does, too, and tells less
 
 

@@ -170,7 +170,7 @@ def test_one_run_says_what_the_task_made_of_it(folder):
     world = next(w for w in allworlds.worlds(edges=1) if w.map.vertex_count == 2)
     over = allworlds.run("mine.py:goes_on", world, task="cover")
     assert over.outcome.episode.transcript.actions == (Move(0),)
-    assert "all is done: every vertex visited" in text(over, 100)
+    assert "ended      as the task was done: every vertex visited\n" in text(over, 100)
     said = allworlds.run("mine.py:gives_up", world, task="stop")
     assert 'answer     "done"' in text(said, 100)
     assert allworlds.run("mine.py:gives_up", world, task="home").finding.law == "task"

@@ -142,8 +142,8 @@ def test_a_foreign_explorer_is_told_the_degree_too():
 
 def test_what_was_left_out_is_shown():
     text = text_of(check(CLUSTER, edges=2), 100)
-    assert "left out   5 worlds without a place for the lighthouse" in text
-    assert "of the cluster:single=true lighthouse in every map" in text
+    assert "left out   5 worlds of 12: no place for the lighthouse" in text
+    assert "of the lighthouse 'cluster:single=true' in every map" in text
     assert "bound (two-vertices)" in text
 
 

@@ -149,7 +149,7 @@ def test_a_check_that_holds_has_a_page_without_findings():
     root = read(page(check(edges=2)))
     assert root.one(class_="verdict holds")
     assert not [*root.all(id="finding-1")]
-    assert "every start and marker" in root.one(class_="scope").text
+    assert "every start and place" in root.one(class_="scope").text
 
 
 def test_a_mismatch_of_the_count_gate_is_told():
