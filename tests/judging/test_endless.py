@@ -366,6 +366,6 @@ def test_of_a_round_the_first_eight_places_are_named(rooms, more):
             yield Move(1)
 
     told = explained(explore, f"cycle-{rooms}")[2]
-    assert f"a round of {rooms} steps" in told
+    assert f"repeated {rooms} steps, " in told
     assert told.count(", dart ") == 8
     assert ("; ..." in told) is more

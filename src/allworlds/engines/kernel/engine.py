@@ -308,7 +308,8 @@ class UnitJudge:
 def lay_out(job, unit, heads, worlds):
     """Write runs to memory up to number ``job.until``, or until there is no more room.
 
-    At least one run is written if a run is left.  Return the number of written runs.  ``job`` and
+    At least one run is written if a run is left and ``job.until`` is not 0.  Return the number of
+    written runs.  ``job`` and
     ``unit`` are the arguments of :func:`allworlds.engines.kernel.runs.examine`.  ``job.number``
     becomes the number of the next run, and ``job.until`` becomes 0 after the last run.  Each run is
     written to a row of ``heads`` and a row of ``worlds``.  A row of ``heads`` holds the budget, the
@@ -317,7 +318,8 @@ def lay_out(job, unit, heads, worlds):
     edge, and the percept on arriving by the dart.
     """
     g, world, placed = job.gluing, job.world, 0
-    while placed == 0 or (job.number < job.until and placed <= len(heads) - 2 * layout.MOST_PLACES):
+    room = len(heads) - 2 * layout.MOST_PLACES
+    while job.until and (placed == 0 or (job.number < job.until and placed <= room)):
         if not advance(g, unit.prefix, unit.viable):
             job.until = 0
             break
