@@ -437,9 +437,12 @@ def test_what_a_fresh_process_does_not_repeat_is_remarked_and_is_no_finding(monk
     assert (tally.findings, dict(tally.remarks)) == ([], {"a crash that came once": 1})
 
 
-def test_a_check_of_what_a_fresh_process_does_not_repeat_is_inconclusive(explorers, monkeypatch):
+@pytest.mark.parametrize("edges", [1, 2])  # all levels; and one, after which it has enough
+def test_a_check_of_what_a_fresh_process_does_not_repeat_is_inconclusive(
+    explorers, edges, monkeypatch
+):
     monkeypatch.setattr(Confirmation, "_recorded", lambda *_: "a crash that came once")
-    report = check(explorers("raises"), edges=1)
+    report = check(explorers("raises"), edges=edges, max_findings=1)
     assert (report.verdict, report.exit_code, report.findings) == (Verdict.INCONCLUSIVE, 3, ())
     told = "what happened to the explorer was not repeated by a fresh process"
     assert report.ending.reason == told

@@ -159,16 +159,17 @@ class CheckSweep(tally_sweep.TallySweep[CheckReport]):
         """Confirm the findings, and add new findings to the user's corpus.
 
         Return None if the check ends with ``ending``.  Return another ending, :class:`Stopped`, if
-        the check was completed, and no finding is left because a fresh process repeated none of
-        them: then the check is no proof that no law is broken.
+        the check was completed or had enough findings, and no finding is left because a fresh
+        process repeated none of them: then the check is no proof that no law is broken.
         """
         corpus = self.corpus
         self._tally.findings = [*map(self.scope.labelled, self._tally.findings)]
         known = corpus.holds if corpus is not None else None
         unrepeated = self.confirmation.settle(self._tally, known)
         self.keep_new(self._tally)
-        if unrepeated and not self._tally.findings and isinstance(ending, outcome.Completed):
-            return outcome.Stopped(tally_sweep.UNREPEATED)
+        match ending:
+            case outcome.Completed() | outcome.Stopped(final=True) if unrepeated:
+                return None if self._tally.findings else outcome.Stopped(tally_sweep.UNREPEATED)
         return None
 
     @override
