@@ -315,10 +315,10 @@ def _drawn(explore: Explorer, count: int, edges: int, options: Mapping[str, Any]
 
 
 def _of_maps(options: Mapping[str, Any]) -> dict[str, Any]:
-    """The options of runs in given maps: the options of a check without those about all worlds.
+    """Those of the ``options`` of a check that also have a meaning for runs in given maps.
 
-    ``options`` are the options of the check, by their names; the result holds those that
-    :class:`MapsRequest` has, too.
+    These are the options that are fields of :class:`MapsRequest`.  Others, such as the bound
+    ``edges``, are left out.  Options and result map the name of an option to its value.
     """
     named = {field.name for field in fields(MapsRequest)}
     return {key: options[key] for key in options if key in named}

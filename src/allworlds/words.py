@@ -16,9 +16,11 @@ of a line, also after a carriage return; ``##[`` and ``##vso[`` anywhere."""
 
 
 def escaped(text: str) -> str:
-    """The text in which each control character or invisible character is replaced by its number.
+    r"""The text in which an escape such as ``\x1b`` replaces each control or invisible character.
 
-    Texts contain words from explorers and files; a reader must be able to see all their characters.
+    An escape has the form that Python's ``ascii`` gives: ``\x``, ``\u`` or ``\U``, and the number
+    of the character.  Tabs and the ends of lines stay.  Texts contain words from explorers and
+    files; a reader must be able to see all their characters.
     """
     return _MISLEADING.sub(lambda found: ascii(found[0])[1:-1], text)
 

@@ -103,7 +103,7 @@ ClaimFunction: TypeAlias = Callable[..., Found | NotChecked]
 
 
 def truth(holds: object) -> Truth:
-    """The verdict ``holds`` if Python takes the value ``holds`` as true, else ``refuted``."""
+    """The verdict of a claim: ``"holds"`` if the argument is true in Python, else ``"refuted"``."""
     return "holds" if holds else "refuted"
 
 

@@ -31,9 +31,11 @@ class EndedReport(Report):
 
     @property
     def undecided(self) -> bool:
-        """Whether the job left out work that could change the verdict; by default, if it stopped.
+        """Whether the job left out work that could change the verdict.
 
-        A job that the user interrupted has not stopped in this sense; see :attr:`interrupted`.
+        By default this is so if ``ending`` is ``Stopped``: the job ended early, for example at the
+        time limit, at the loss of a cluster, or after enough findings.  If the user interrupted the
+        job, the value is false; see :attr:`interrupted`.
         """
         return isinstance(self.ending, outcome.Stopped)
 

@@ -98,8 +98,9 @@ def run(request: RunRequest) -> single.SingleRun:
     environment variable ``PYTHONHASHSEED``, if the variable is set.
 
     Raises:
-        InputError: naming the offending option and what would be legal, or the first choice that
-            the run did not take.
+        InputError: naming the offending option and what would be legal; or naming the first index
+            of the option ``choices`` that the run did not use, because the explorer made fewer
+            choices, or because there were fewer options at this choice.
     """
     limits = request.limits
     subject = single.subject_of(request.explore, limits)

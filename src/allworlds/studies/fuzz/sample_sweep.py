@@ -109,7 +109,7 @@ def fuzz(request: FuzzRequest) -> CheckReport:
 
 
 def scope_of(request: FuzzRequest, rules: Rules) -> Scope:
-    """The scope of a request: the drawn worlds and the rules.
+    """The scope of a request: the class of the worlds, their sample, and ``rules``.
 
     Raises:
         InputError: for numbers out of range.
@@ -124,10 +124,15 @@ def scope_of(request: FuzzRequest, rules: Rules) -> Scope:
 
 
 class SampleCounter(RunCounter, frozen=True, kw_only=True):
-    """The engine that counts the runs of a sample, its worlds' features, and the bred worlds' runs.
+    """The engine that counts the runs in drawn worlds and in bred worlds.
+
+    A drawn world is a random world of the sample.  A bred world is a drawn world, or another bred
+    world, after a few random changes.  The engine also counts the features, such as the genus, of
+    the maps of these worlds.
 
     Attributes:
-        subject, limits: the explorer, and the limits of its players; breeding needs both.
+        subject, limits: the explorer, and the limits of its players; the explorer runs while
+            worlds are bred.
     """
 
     subject: loading.Subject
@@ -148,10 +153,15 @@ class SampleCounter(RunCounter, frozen=True, kw_only=True):
 class FuzzSweep(TallySweep[CheckReport]):
     """The sweep of a sample: it goes through the random worlds, and makes the report.
 
-    The first level is a few small worlds, which show whether the explorer walks for ever.  The next
-    levels are waves of random worlds, each wave three times as large as all earlier waves together;
-    after a wave, a level may have worlds that are bred from the random ones.  All finished runs are
-    reported, also those of an unfinished level.  A level with a finding is the last level.
+    In this sweep a *level* is a set of worlds that is finished before the next set begins.  The
+    first level is a few small worlds; a finding there is kept only if the explorer walks for ever,
+    that is, breaks the law ``budget``.  The next levels are *waves* of random worlds, each wave
+    three times as large as all earlier waves together.  For some explorers (see
+    :func:`is_bred_for`) a wave may be followed by a level of *bred* worlds: random worlds after a
+    few random changes.  A level with a kept finding is the last level.
+
+    The report counts the finished runs of the waves, also those of an unfinished wave, but not the
+    runs in bred worlds.
 
     Args:
         request: the request.
@@ -195,8 +205,8 @@ class FuzzSweep(TallySweep[CheckReport]):
     def begin(self) -> Ending | None:
         """Try again the findings in the user's corpus, a directory of earlier findings.
 
-        If the job keeps K findings, and K past findings or more are reproduced, return the ending
-        with which the job ends; otherwise return None.
+        If a finding in the scope is reproduced, return the ending with which the job ends before it
+        tries any world; otherwise, or without a corpus, return None.
         """
         return self.retry_past(self._tally)
 
@@ -223,12 +233,16 @@ class FuzzSweep(TallySweep[CheckReport]):
 
     @override
     def conclude(self, ending: Ending) -> None:
-        """Shrink the findings if the job is completed; confirm them, and add them to the corpus.
+        """Shrink and confirm the findings, and add them to the user's corpus.
 
-        If the job has reproduced a finding of the corpus, nothing is confirmed or added.
+        To shrink a finding is to search for findings in smaller worlds; this is done only if the
+        job was completed, that is, if ``ending`` is ``Completed``.  To confirm a finding is to play
+        its run again in a fresh process.  If the job has reproduced a finding of the corpus,
+        nothing is confirmed or added.
 
         Raises:
-            TimeIsUp: if there are findings, and the deadline is past after this work.
+            TimeIsUp: if there are findings, and the deadline is past after this work.  The findings
+                stay in the report and in the corpus, but may be not shrunk or not confirmed.
         """
         settled = self.confirmation
         if isinstance(ending, Completed):

@@ -148,7 +148,7 @@ class Batch(Struct, frozen=True):
 
         A drawn map that is too small, not in the class, or fails the condition is rejected, and
         another map is drawn.  After :data:`REJECTED_BEFORE_HISTORIES` rejected maps the part
-        ``histories`` draws.
+        ``histories`` draws; without a condition its first map is never rejected.
 
         Args:
             extent: the class, the condition and the largest number of edges.
@@ -156,8 +156,8 @@ class Batch(Struct, frozen=True):
             random: the source of the random numbers.
 
         Raises:
-            InputError: after more than :data:`REJECTED_BEFORE_REFUSAL` rejected maps, if there is a
-                condition.
+            InputError: if ``extent`` has a condition, and more than
+                :data:`REJECTED_BEFORE_REFUSAL` maps were rejected.
         """
         generators = generator(part, extent), generator(HISTORIES, extent)
         size = random.randint(self.min_edges, extent.levels[-1])

@@ -41,15 +41,17 @@ def shrink(finding: Finding, scope: Scope, refute: Refute) -> Iterator[Finding]:
     of vertices decides, then the code, then the number of the lighthouse's place.
 
     First, pieces of the map are removed: half of the map, a quarter and so on.  If the world has at
-    most :data:`EDGES_OF_FINE_STEPS` edges, small steps follow.  A step deletes or contracts one
-    edge.  If no world that arises so refutes, the step keeps the number of edges: it moves one dart
-    to another position, or only chooses another start or another place of the lighthouse.  A world
-    after one such change is called a *neighbour*.  A neighbour is tried with each start and each
-    place of the lighthouse with which it is smaller than the present world.  The smallest refuting
-    neighbour begins the next step, so the result depends on ``finding`` alone.
+    most :data:`EDGES_OF_FINE_STEPS` edges, small steps follow.  A small step tries *neighbours* of
+    the present world.  First it tries the maps that have one edge less, because one edge of the
+    present map is deleted or contracted.  If none of them refutes, the step tries the maps with as
+    many edges: the present map, and this map with one dart moved to another position.  Each of
+    these maps is combined with every start and every place of the lighthouse; all worlds that arise
+    so, and are smaller than the present world, are its neighbours.  The smallest refuting neighbour
+    is the present world of the next step, so the result depends on ``finding`` alone.  The steps
+    end if no neighbour refutes.
 
-    Some worlds are smaller, but are no neighbours, and one of them may refute, too.  So at last all
-    smaller worlds with at most :data:`EDGES_TRIED_IN_FULL` edges are tried.
+    A smaller world that is no neighbour may refute, too.  So at last all smaller worlds with at
+    most :data:`EDGES_TRIED_IN_FULL` edges are tried.
 
     Args:
         finding: the finding to begin with; it is not yielded itself.
@@ -58,8 +60,8 @@ def shrink(finding: Finding, scope: Scope, refute: Refute) -> Iterator[Finding]:
         refute: the function that runs the explorer in some worlds, and returns the smallest
             finding there.
 
-    Cost: O(m^3) runs for each step, but at most ``NEIGHBOURS_PER_STEP`` for each number of edges
-    that the step tries.
+    Cost: O(m^3) runs for each small step in a world with m edges, but at most
+    :data:`NEIGHBOURS_PER_STEP` runs in maps with m - 1 edges, and as many in maps with m edges.
     """
     for less in _with_pieces_less(finding, scope, refute):
         yield (finding := less)
@@ -84,7 +86,10 @@ EDGES_TRIED_IN_FULL = 4
 """The largest number of edges of the worlds that are all tried in the end."""
 
 EDGES_OF_FINE_STEPS = 16
-"""The most edges of a world whose neighbours are tried; larger worlds only lose pieces."""
+"""The most edges of a world whose neighbours (see :func:`shrink`) are tried.
+
+From larger worlds only pieces are removed.
+"""
 
 NEIGHBOURS_PER_STEP = 4000
 """The most worlds with one number of edges that are tried in a step."""
@@ -128,11 +133,14 @@ def _with_pieces_less(finding: Finding, scope: Scope, refute: Refute) -> Iterato
 
 
 def _less_by(piece: int, finding: Finding, scope: Scope) -> Iterator[tuple[world.World, int]]:
-    """Yield smaller worlds: in each, one piece of the finding's world is deleted or contracted.
+    """Yield two smaller worlds for each piece of the finding's world.
 
-    A piece has ``piece`` edges; every piece of the world is removed once, the farthest one first.
-    With each world the number of its lighthouse's place is yielded.  Worlds outside of the class or
-    the condition of ``scope`` are left out.
+    In one of the two the piece is deleted, in the other one the piece is contracted.  The edges of
+    the world, in breadth-first order from the start, are cut into pieces of ``piece`` edges (the
+    nearest piece may have fewer); the farthest piece comes first.  With each world the number of
+    its lighthouse's place is yielded.  A world is left out if nothing remains at the start, if its
+    map has no place, or if the map is not in the class, or does not meet the condition, of
+    ``scope``.
     """
     map_, extent = finding.world.map, scope.extent
     for end in range(map_.edge_count, 0, -piece):

@@ -48,6 +48,9 @@ def searched(request: TeamRequest) -> TeamReport:
 def team(*explorers: str | Callable[..., Any], **options: Any) -> TeamReport:
     """Search every schedule of several robots in every world of a class.
 
+    ``explorers`` are the programs of the robots: one for all robots, or one for each.  ``options``
+    are the other fields of :class:`TeamRequest`, such as ``robots``, ``model`` and ``edges``.
+
     Raises:
         InputError: naming the offending option and what would be legal.
     """
@@ -308,11 +311,12 @@ def _place(map_: CombinatorialMap, starts: Sequence[int]) -> Any:
 
 
 def _rooted_like(map_: CombinatorialMap, extent: Extent) -> Iterator[CombinatorialMap]:
-    """Yield rooted maps of an extent: at least all that are ``map_`` with one of its darts as root.
+    """Yield the rooted maps of an extent that may be ``map_`` with one of its darts as root.
 
-    If the extent is a class of maps, only rooted maps of this kind are yielded; none, if ``map_``
-    is not in the extent.  If the extent consists of given maps, all given maps with as many edges
-    as ``map_`` are yielded, so the caller must still compare each of them with ``map_``.
+    If the extent is a class of maps, the rootings of ``map_`` are yielded, each once up to
+    isomorphism; none is yielded if ``map_`` is not in the extent.  If the extent consists of given
+    maps, all given maps with as many edges as ``map_`` are yielded.  Some of these may be other
+    maps, so the caller must still compare each of them with ``map_``.
     """
     if extent.given is not None:
         for unit in units.units_of_level(extent, map_.edge_count, units.WHOLE):

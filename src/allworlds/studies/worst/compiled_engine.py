@@ -35,9 +35,10 @@ class ScheduleCostsBySize(Struct):
 def _joined(a: schedules.ScheduleCosts, b: schedules.ScheduleCosts) -> schedules.ScheduleCosts:
     """The costs in the worlds of ``a`` and the worlds of ``b`` together; all have the same size.
 
-    The numbers of worlds and of tests are added.  Of the two worst costs, and of the two best
-    costs, the larger one is taken.  The kept map is one with the worst cost; of two such maps, the
-    one with the smaller code.
+    The numbers of worlds and of tests are added.  ``worst`` is the larger of the two values
+    ``worst``.  ``best`` is the larger of the two values ``best``, too, because it is a maximum over
+    worlds: the largest cost of a world's cheapest schedule.  The map in ``sigma`` and ``alpha`` is
+    one with the cost ``worst``; of two such maps, the one with the smaller code.
     """
     most_expensive = min(
         (d for d in (a, b) if d.sigma), key=lambda d: (-d.worst, d.sigma, d.alpha), default=a

@@ -54,10 +54,12 @@ class TestCost(Struct, frozen=True):
 class PassCosts(Struct, frozen=True):
     """The costs of one pass, without the way to the dart that the pass takes.
 
+    In a pass Algorithm 1 chooses the order of the hypotheses, and for each test a path to v0.
+
     Attributes:
         dart: the dart e that the pass takes from U.
-        worst: the tests that the robot makes in the most expensive form of the pass.
-        best: the tests that the robot makes in the cheapest form of the pass.
+        worst: the tests in a pass whose choices make the pass as expensive as possible.
+        best: the tests in a pass whose choices make the pass as cheap as possible.
         explored: the explored darts after the pass.
         robot: the robot's vertex after the pass.
     """
@@ -70,7 +72,7 @@ class PassCosts(Struct, frozen=True):
 
 
 class PassCost(Struct, frozen=True):
-    """The largest cost of a pass.
+    """The largest cost of a pass that begins in one state and explores one dart of U.
 
     Attributes:
         vertices, explored: the numbers of vertices of S and of explored edges before the pass.
@@ -104,7 +106,7 @@ class EverySchedule:
         """The number of traversals of the most expensive schedule.
 
         Raises:
-            WrongTest: if a false hypothesis can be confirmed.
+            WrongTest: if a test can confirm a false hypothesis, or reject a true one.
         """
         return self._worst(frozenset(), self._v0)
 
@@ -113,7 +115,7 @@ class EverySchedule:
         """The number of traversals of the cheapest schedule.
 
         Raises:
-            WrongTest: if a false hypothesis can be confirmed.
+            WrongTest: if a test can confirm a false hypothesis, or reject a true one.
         """
         return self._best(frozenset(), self._v0)
 
@@ -144,7 +146,7 @@ class EverySchedule:
         """Yield the largest cost of a pass for each state that can be reached and each dart of U.
 
         Raises:
-            WrongTest: if a false hypothesis can be confirmed.
+            WrongTest: if a test can confirm a false hypothesis, or reject a true one.
         """
         queue: list[tuple[Explored, int]] = [(Explored(), self._v0)]
         met = set(queue)

@@ -196,7 +196,7 @@ class Lighthouse(ABC):
         return replace(self, **renamed) if renamed else self  # type: ignore[type-var]
 
     def to_json(self) -> dict[str, Any]:
-        """The object ``{"kind": ...}`` with the options and the place.
+        """The lighthouse as a JSON object ``{"kind": ...}``, with its options and its place.
 
         For a user's class the options stand under the key ``options``; the key ``digest`` holds the
         digest of the user's program.

@@ -224,7 +224,8 @@ def _legal(kind: Any, name: str, key: str) -> FieldOption:
 def values_in(placed: Any) -> dict[str, OptionValue]:
     """The options of a lighthouse whose values differ from their defaults.
 
-    If the lighthouse has one option only, and this is a text, the option is always included.
+    Each value stands under the name of its option.  If the lighthouse has one option only, and the
+    value of this option is a text, the option is always included.
     """
     kind: Any = type(placed)
     values = {key: (getattr(placed, key), option) for key, option in options_of(kind).items()}

@@ -118,7 +118,14 @@ METHODS = [
 
 
 def _check_methods(kind: type[Lighthouse], code: user_code.UserCode) -> None:
-    """Replace the methods that the user has written by methods that check; see :func:`_check`."""
+    """Replace the methods that the user has written by methods that check what they return.
+
+    The method ``percepts`` is replaced, too, if it is not the user's.  See :func:`_check`.
+
+    Args:
+        kind: the class made for the user's lighthouse; its methods are replaced.
+        code: the user's program, whose name the errors give.
+    """
     for name in METHODS:
         owner = next((each for each in kind.__mro__ if name in vars(each)), Lighthouse)
         theirs = not owner.__module__.startswith("allworlds.")
@@ -128,6 +135,10 @@ def _check_methods(kind: type[Lighthouse], code: user_code.UserCode) -> None:
 
 def _check(kind: type[Lighthouse], name: str, method: str, *, theirs: bool) -> None:
     """Replace a method of a class by one that checks the returned value.
+
+    The function in :data:`RETURNS` checks the value, and turns it into a plain value; if the value
+    is not legal, the new method raises InvalidWorld.  For a method that is not in :data:`RETURNS`
+    any value is legal.
 
     Args:
         kind: the class.
