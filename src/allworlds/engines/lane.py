@@ -7,9 +7,12 @@ The lane is the loop: it gives batches to the players, and receives the logs.  A
 of a batch the lane lets the batch be judged, and gives it to the second player; after the second
 play it lets the batch be settled.  To *settle* a batch is to compare the two plays, and to find the
 runs that break a law.  Other modules judge a batch (``judge``), settle it (``settling``,
-``hash_seeds``), and define what a lost player means (``losses``).  The runs of an
-:class:`AcrossUnit`, which are all runs of small worlds, are played in two opposite orders, each
-order by one process (``across``).
+``hash_seeds``), and define what a lost player means (``losses``).
+
+An :class:`AcrossUnit` consists of all runs of the levels with up to a few edges.  These runs belong
+to other units, too, and are played there as usual.  For the AcrossUnit all of them are played in
+two opposite orders, each order by one process (``across``).  The logs of the first player serve as
+one of these two plays if they are all known.
 
 The argument ``which`` of a method is the number of a player, FIRST or SECOND.
 """
@@ -138,9 +141,10 @@ class Lane:
         return self._done()
 
     def end(self) -> tally.Tally:
-        """Play the kept runs under further hash seeds, after all units; return the tally.
+        """Play some runs of large worlds once more, after all units; return the tally.
 
-        The tally holds the findings and remarks of these plays; the runs are not counted again.
+        The lane has kept these runs for this; they are played under further hash seeds.  The tally
+        holds the findings and remarks of these plays; the runs are not counted again.
         """
         return self._more_seeds.end()
 
@@ -187,7 +191,11 @@ class Lane:
                 self._settle(batch)
 
     def _next(self) -> RunBatch | None:
-        """The next batch; None if there is none yet."""
+        """The next batch for the first player; None if no batch can be made now.
+
+        A unit gives its own batches first.  If every schedule is tried, further batches are made of
+        runs that are played again under their next schedule; such runs come from judged batches.
+        """
         for work in self._works:
             batch = next(work.batches, None) if work.batches else None
             if batch is None:
@@ -201,9 +209,9 @@ class Lane:
         return None
 
     def _hear(self, which: int) -> None:
-        """Store the logs that have come from a player; judge or settle the batches it has played.
+        """Store the logs that have come from a player; judge or settle the batches with all logs.
 
-        If the player is lost, replace it.
+        If the player is lost, :meth:`_lose` says what follows.
         """
         began = time.monotonic()
         try:
@@ -221,9 +229,9 @@ class Lane:
         """Take the next step with a batch, if the player ``which`` has now played all its runs.
 
         After the first play the batch is judged, and then waits for the second player; if there is
-        only one player, it is settled at once.  If it cannot be judged, because compiled code could
-        not write all logs of a shared library, the first player plays it again in Python.  After
-        the second play the batch is settled.
+        only one player, the batch is settled at once.  If the batch cannot be judged, because
+        compiled code could not write all logs of a shared library, the first player plays the batch
+        again in Python.  After the second play the batch is settled.
         """
         if len(batch.logs[which]) < len(batch):
             return
@@ -284,9 +292,10 @@ class Lane:
         complete, the logs are compared: a run whose log depends on earlier runs refutes the
         explorer.
 
-        The two plays are given up if, in any earlier run of this lane, a player was lost, and a
-        fresh player that played this run alone was lost, too.  Such a loss refutes the explorer
-        already, and would end the players of these plays as well.
+        The two plays are given up if a loss was repeated in this lane: a player was lost in a run
+        of another unit, and then a fresh player that played the same run alone was lost, too.  Such
+        a loss refutes the explorer already; and the explorer would probably end the processes of
+        the two plays, too.
 
         Args:
             across: the two plays of the unit.

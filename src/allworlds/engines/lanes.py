@@ -307,8 +307,9 @@ def _lane_of(link: Connection, lanes: Lanes, *, first_lane: bool) -> None:
 def in_any_order(units: Iterable[UnitOfRuns]) -> Iterator[UnitOfRuns]:
     """The units in a random order.
 
-    The order is drawn for :data:`AT_A_TIME` units at a time.  An :class:`AcrossUnit` comes last
-    among them, because a lane has then judged most of the runs that this unit plays again.
+    The order is drawn for :data:`AT_A_TIME` units at a time.  Among these units an
+    :class:`AcrossUnit` comes last.  It consists of runs in small worlds that also belong to other
+    units, and plays them once more; most of them have then been judged.
     """
     every, order = iter(units), Random()  # noqa: S311  # from the system; no verdict depends on it
     while some := list(islice(every, AT_A_TIME)):
@@ -328,9 +329,11 @@ def workers_for(
     """The transport that brings units to the lanes for an explorer.
 
     If no other process can load the explorer, the only lane is in this process.  For any other
-    explorer, lanes are forked if there are several workers, if ``models`` is set, or if the memory
-    of a built-in explorer is limited.  In the last two cases, and for a shared library with several
-    workers, no lane is in this process.
+    explorer:
+
+    - Every lane is a forked process if ``models`` is set, if the memory of a built-in explorer is
+      limited, or if the explorer is a shared library and there are several workers.
+    - Otherwise one lane is in this process; if there are several workers, the others are forked.
 
     Args:
         subject: the explorer.

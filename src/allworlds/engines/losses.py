@@ -8,9 +8,11 @@ The left column says what has happened, the right column what follows:
 
     ====================================================  ========================================
     the fresh player repeats the loss                     the run breaks the law of the loss
-    the fresh player does not repeat the loss; and        the run breaks the law of the loss; the
-    either the machine cannot be the cause, or it is at   finding says that it does so only after
-    least the second time-out that is not repeated        other runs in the same process
+    the fresh player does not repeat the loss, and the    the run breaks the law of the loss; the
+    machine cannot be the cause of the loss               finding says that the run breaks this law
+                                                          only after other runs in one process
+    the fresh player does not repeat the loss by a        the same as in the row above
+    time-out, nor was an earlier time-out repeated
     the fresh player does not repeat the loss, in all     a remark, a sentence of the report, which
     other cases                                           refutes nothing
     ====================================================  ========================================

@@ -6,9 +6,10 @@ The owner is the process that has started this program.  The link is the socket 
 beat is memory that the owner can read: the number of the run in progress, and the number of the
 explorer's turn in this run.  The program gets the name of an explorer and then batches of runs,
 until the link is closed.  A message consists of its length and of bytes that marshal has written.
-An answer consists of its length, a letter and bytes.  Verdicts use only those answers that are
-logs, and a judge walks each log anew.  The program loads only the modules of the package that it
-needs, so that it starts in some 50 ms if the explorer is in Python and makes no choices.
+An answer consists of its length, a letter that names the kind of the answer, and bytes.  Verdicts
+use only those answers that are logs, and a judge walks each log anew.  The program loads only the
+modules of the package that it needs, so that it starts in some 50 ms if the explorer is in Python
+and makes no choices.
 """
 
 from __future__ import annotations
@@ -324,11 +325,12 @@ def _around(kind: str, world: Any, told: Any, over: bool) -> Any:
         kind: the kind of the batch, which says what ``world`` is and how the percepts are found.
         world: for the kind ``table`` the table of a world, in which the percepts are looked up; for
             the kind ``record`` the percepts of an earlier play, which are given again; for any
-            other kind a pair of a world and the function ``over`` of the task, from which
-            :class:`AroundExplorer` computes the percepts.
-        told: the value that the robot is told before the start; only for the first two kinds.
-        over: whether the run ends after the last recorded percept, because its task is done; only
-            for the kind ``record``.
+            other kind the two arguments of :class:`AroundExplorer`, which computes the percepts: a
+            world, and the task's function that says whether the task is done.
+        told: the value that the robot is told before the start; used only for the kinds ``table``
+            and ``record``.
+        over: whether the run ends after the last recorded percept, because its task is done; used
+            only for the kind ``record``.
     """
     if kind == "table":
         return playing.TableWorld(world, told)

@@ -182,8 +182,9 @@ class PlayerProcess:
             is any value that the owner gives with a message, and gets back with the answer.
         beat: two numbers in shared memory: the number of the run in progress, or
             :data:`player.NO_RUN`; and the number of the explorer's turn in this run.
-        part: the log so far of the run in progress, if the player sends this log turn by turn; it
-            does so if a message asks for a single run with ``hear`` set.
+        part: the log so far of the run in progress, if the player sends this log turn by turn.  The
+            player does so only if the value of the message's key ``hear`` is True; such a message
+            asks for one run.  Else empty.
         prints: the prints of the explorer, if they are recorded.
         description: the description of the explorer; None before the explorer is loaded.
     """
@@ -649,7 +650,10 @@ The system ends the players when that thread ends.
 
 
 def _in_thread(act: Callable[[], int]) -> int:
-    """Call ``act``, which starts a player, in the thread for this; return the result of ``act``.
+    """Call ``act``, which starts a player, in the thread of :data:`_spawners`; return its result.
+
+    One thread starts all players, because the system ends a player when the thread that has started
+    it ends.
 
     Raises:
         HarnessError: if the system cannot start a process.

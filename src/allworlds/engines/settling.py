@@ -54,7 +54,7 @@ class Settler:
         return difference_of(one, other, choices=self.judge.every) is not None
 
     def settle(self, batch: RunBatch, *, twice: bool) -> None:
-        """Find the runs of a batch that break a law, and put their findings into the unit's counts.
+        """Find the runs of a batch that break a law, and put their findings into the unit's tally.
 
         ``twice`` tells whether a second player has also played the runs.
         """
@@ -67,7 +67,7 @@ class Settler:
         self.find(batch, outcomes)
 
     def find(self, batch: RunBatch, outcomes: dict[int, Outcome]) -> None:
-        """Put a finding into the unit's counts for each run whose outcome breaks a law.
+        """Put a finding into the unit's tally for each run whose outcome breaks a law.
 
         Args:
             batch: the batch.
@@ -79,10 +79,11 @@ class Settler:
             counter.settle(referee, due.world, due.place, outcome, batch.work.tally)
 
     def give_up(self, which: int, batch: RunBatch) -> None:
-        """Put the findings of those runs of a batch in which a player was lost into the counts.
+        """Judge the runs of a batch in which a player was lost.
 
-        This is for a lane that gives up: the batch is not finished, and its runs are not counted.
-        ``which`` is the number of the lost player, FIRST or SECOND.
+        For each of these runs that breaks a law, a finding is put into the unit's tally.  A lane that gives up calls
+        this method: the batch is not finished, and its runs are not counted.  ``which`` is the
+        number of the player that was lost last, FIRST or SECOND.
         """
         outcomes = dict[int, Outcome]()
         for index in batch.lost:
@@ -94,12 +95,13 @@ class Settler:
     def explain_under(self, seed: int, batch: RunBatch, differing: Differing) -> None:
         """Find out why runs had another log under the hash seed ``seed``; keep the findings.
 
-        Further plays decide as this module says.  If the hash seeds explain the difference, a run
-        gives a finding only if it breaks a law under one of the seeds; else a run gives the finding
-        that the explorer is nondeterministic.
+        Further plays show whether the hash seeds explain the difference of the logs.  If they do, a
+        run gives a finding only if the run breaks a law under at least one of the two seeds.  If
+        they do not, the finding in general says that the explorer is nondeterministic;
+        :meth:`_of_plays` tells the exception.
 
         Args:
-            seed: the hash seed of the second logs.
+            seed: the hash seed of the second logs; the first logs have the first player's seed.
             batch: the batch of the runs, with their first logs.
             differing: the indices of these runs, each with its second log.
         """
@@ -167,9 +169,9 @@ class Settler:
     def _of_plays(self, batch: RunBatch, index: int, other: Log, seeds: Seeds) -> Outcome:
         """The outcome of a run whose two plays differ; ``other`` is the log of the second play.
 
-        Here the hash seeds do not explain the difference.  So it refutes the explorer, with one
-        exception: if the machine may have ended one of the plays, and two later plays agree, the
-        outcome follows from the later plays.
+        The hash seeds do not explain the difference of the plays.  So the difference refutes the
+        explorer, with one exception.  If the machine may have ended one of the two plays, fresh
+        players play the run twice more; if these later plays agree, the outcome follows from them.
         """
         one, anew = batch.outcome(index), None
         faults = fault_of(one.log), fault_of(other)

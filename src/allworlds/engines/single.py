@@ -181,9 +181,9 @@ REPEATED = 5
 class OutcomeCounter(RunCounter, frozen=True):
     """The counter of a single run, which keeps the outcomes of the run in place of counts.
 
-    There is an outcome after the first play.  If it breaks a law, or if the second play differs,
-    there is a second outcome, after the comparison of the plays.  The report shows the last
-    outcome.
+    There is an outcome after the first play.  If this outcome breaks a law, or if the second play
+    differs, there is a second outcome, after the comparison of the plays.  The report shows the
+    last outcome.
     """
 
     outcomes: list[Outcome] = field(default_factory=list)
@@ -331,9 +331,10 @@ class Plays:
         return self._played(self.judge.percepts_message([record] * times), seed)
 
     def traced(self, runs: Sequence[Due]) -> Sequence[bytes]:
-        """Let a fresh player play some runs in their worlds; return the logs, and one entry more.
+        """Let a fresh player play ``runs`` in their worlds; return the logs, and one item more.
 
-        This last entry holds the lines of the explorer's code that ran in each of the runs.
+        This last item says for each run separately which lines of the explorer's code ran, in the
+        form of :func:`allworlds.protocol.code_lines.written`.
         """
         message = self.judge.worlds_message(runs)
         return self._logs(message | {"lines": True, "runs": len(runs) + 1}, FIRST)[0]
@@ -360,10 +361,13 @@ def played_again(finding: Finding, subject: loading.Subject, limits: limits.Limi
 
     The field ``output`` holds the prints of these plays, and ``confirmed`` says whether fresh
     processes repeat the run.  In most cases the run is played by the percepts of its recorded walk.
-    If the process of a player ended or was silent, it left no walk, and the finding has no error
-    text; then the run is played in its world, and the finding gets the walk of this play.  If no
-    other process can import the explorer, its finding is not confirmed; the explorer plays once
-    more in this process, for its prints.
+    There are two exceptions:
+
+    - If the law is ``crash`` or ``timeout``, and the finding has no error text, the player was lost
+      without leaving the whole walk.  Then the run is played in its world, and the finding gets the
+      walk of this play.
+    - If no other process can import the explorer, the finding is not confirmed.  The explorer plays
+      the run once more in this process, for its prints.
 
     Raises:
         InputError: if a user's lighthouse gives another answer when it is asked again.
@@ -411,7 +415,9 @@ def _repeated(finding: Finding, plays: Plays, later: Plays, first: Log, seed: in
 
     The field ``confirmed`` of the returned finding says whether fresh processes repeat the run.  If
     a process plays the run differently, the returned finding says that the explorer is
-    nondeterministic.  If the given finding already says so, it is confirmed if its plays differ.
+    nondeterministic.  If the given finding already says so, the run is played several times under
+    both hash seeds; the finding is confirmed if one of these plays differs from the others, or from
+    the recorded walk.
 
     Args:
         finding: the finding.  If its field ``after`` is not empty, the run was different after
@@ -419,7 +425,8 @@ def _repeated(finding: Finding, plays: Plays, later: Plays, first: Log, seed: in
         plays: the maker of plays of the run alone.
         later: the maker of plays after these earlier runs; used only if there are such runs.
         first: the log of a play of the run alone that has been made already.
-        seed: the hash seed of the plays, unless the finding is about nondeterminism.
+        seed: the hash seed of the plays; not used if the finding says that the explorer is
+            nondeterministic, or if its field ``after`` is not empty.
     """
     record = finding.transcript.actions, finding.choices
     if finding.after:
@@ -470,11 +477,15 @@ def _same_walk(finding: Finding, log: Log) -> bool:
 def _ends_alike(finding: Finding, log: Log) -> bool:
     """Whether the end of a play, given by its log, agrees with a finding.
 
-    If the play ends without an answer, by a breach such as ``crash`` or ``budget``, the law of the
-    finding must be this law; the texts are not compared.  If the play ends because the task is
-    done, or with an answer that is a JSON value, the law of the finding must be ``task`` or
-    ``bound``.  If the finding shows a wrong estimate, the play must answer with this estimate.  For
-    any other answer the law of the finding must be one that a run with such an answer can break.
+    The first of these cases that applies decides:
+
+    - The play ends without an answer, because it breaks a law such as ``crash`` or ``budget``: the
+      finding must be about the same law.  The texts are not compared.
+    - The play ends because the task is done, or its answer is a JSON value: the law of the finding
+      must be ``task`` or ``bound``.
+    - The finding shows a wrong estimate: the play must answer with the same estimate.
+    - In all other cases the law of the finding must be one that a run with an answer of this kind,
+      an estimate or a quotient, can break.
     """
     end = ending_of(log)
     if isinstance(end, Fault):

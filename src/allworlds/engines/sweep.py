@@ -67,8 +67,8 @@ def gather(
     Raises:
         TimeIsUp: when the time limit has been reached; ``total`` holds the results so far.  If
             finished units are kept in a directory, and this command has finished no unit, the text
-            of the exception says that the same command would not come further.  If a part of a unit
-            was done, the text also gives an estimate of the time that the whole unit takes.
+            of the exception says that the same command would again finish no unit.  In this case,
+            if a part of a unit was done, the text also estimates the time for the whole unit.
     """
     begun: dict[str, units.Sum] = {}
     started, unit = time.monotonic(), None
@@ -289,8 +289,8 @@ class Sweep(ABC, Generic[Total, Answer]):
     def _guarded(self, job: Callable[[], outcome.Ending | None]) -> outcome.Ending | None:
         """Call ``job``, a function that does a part of the work; return what it returns.
 
-        This is an ending, or None if the work goes on.  If ``job`` raises an exception that ends
-        the work early, such as TimeIsUp, return the ending for this exception.
+        The returned value is an ending, or None if the work goes on.  If ``job`` raises an
+        exception that ends the work early, such as TimeIsUp, return the ending for this exception.
         """
         try:
             with limits.models_bounded(self.deadline):

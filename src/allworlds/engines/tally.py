@@ -104,15 +104,20 @@ class Row:
             self.most_expensive = min(self.most_expensive, where)
 
     def bound_of(self, run: int | None) -> None:
-        """Update the largest bound by ``run``, the bound of a run.
+        """Update the field ``bound``, the largest bound of a run, by the bound of one more run.
 
-        ``run`` may be negative, or None if the run has no bound.
+        ``run`` is the bound of this run; it may be negative.  If ``run`` is greater than the field,
+        the field becomes ``run``.  If ``run`` is None, the run has no bound, and nothing changes.
         """
         if run is not None:
             self.bound = run if self.bound is None else max(self.bound, run)
 
     def best_of(self, run: int | None) -> None:
-        """Update the best cost by ``run``, the cost of a run's cheapest schedule, or None."""
+        """Update the field ``best_cost``, a largest cost, by one more run.
+
+        ``run`` is the cost of the cheapest schedule of this run.  If ``run`` is greater than the
+        field, the field becomes ``run``.  If ``run`` is None, nothing changes.
+        """
         if run is not None:
             self.best_cost = max(run, self.best_cost or 0)
 
@@ -197,7 +202,7 @@ class Tally:
 
     @property
     def costs_by_size(self) -> Iterator[tuple[int, int, int]]:
-        """Yield for each size edges, vertices, and the largest cost of a run in worlds so large."""
+        """Yield a triple for each size of worlds: edges, vertices, the largest cost of a run."""
         for (edges, vertices), row in self.rows.items():
             yield edges, vertices, row.max_cost
 

@@ -73,9 +73,9 @@ _FEW = 0xFF
 def explore(w, prefix, kept, halt):
     """Walk once in every world whose first decisions are ``prefix``; count each in ``w.counts``.
 
-    The worlds are counted in ``w.counts``.  If a walk has failed, or costs more than the bound, a
-    run with place 0 and law 0 is added to ``kept``.  This run stands for all places in the world,
-    and for all laws.  The work is given up once ``halt[0]`` is not 0.
+    If a walk has failed, or costs more than the bound, a run with place 0 and law 0 is added to
+    ``kept``.  This run stands for all places of the lighthouse in the world, and for all laws.  The
+    work is given up once ``halt[0]`` is not 0.
     """
     s = w.now
     _begin(w, s, prefix)
@@ -153,10 +153,10 @@ def _glue(w, s, z):
 
 @inlined
 def _choose(w, s):
-    """Take the next decision for ``s.y``, the dart of the last entry of ``w.choices``; return True.
+    """Take the next decision for the dart ``s.y`` of W; return whether a decision was left.
 
-    This dart is the last entry of ``w.choices``.  If no decision is left for it, remove the entry,
-    and return False.
+    The last entry of ``w.choices`` holds the decisions for this dart that have not been tried.  If
+    none of them is legal, this entry is removed, and the result is False.
     """
     choice = w.choices[w.depth - 1]
     if choice.untried:
@@ -212,7 +212,9 @@ def _tally(w, s, kept):
 def _fingerprint(w, s):
     """The fingerprint of W, in which no dart is open.
 
-    Under the policy fifo the walk has computed the fingerprint already, unless the walk has failed.
+    Under the policy fifo, which explores the oldest dart of U first, S grows by the decisions from
+    which the fingerprint is computed.  So a walk that has not failed has computed the fingerprint
+    already, and the result is read from ``s.code``.  In all other cases it is computed here.
     """
     if w.policy == FIFO and s.stage != FAILED:
         return s.code
@@ -234,8 +236,9 @@ def _settle(w, s):
 def _blame(w, s, kept):
     """Write W, in which a law is broken, to the rows ``kept.least``.
 
-    These rows hold the least such worlds so far, in the order of vertices and then of codes.  If
-    all rows are in use, the greatest of these worlds and W is dropped.
+    These rows hold the smallest worlds so far in which a law is broken: those with the fewest
+    vertices, and of worlds with equally many vertices those with the least codes.  If all rows are
+    in use, W replaces the largest of these worlds; but W is not written if W itself is larger.
     """
     _settle(w, s)
     blame(w.world, 0, kept.least, kept.row)

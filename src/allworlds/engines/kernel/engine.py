@@ -99,9 +99,10 @@ def sums_of(unit: runs.UnitArrays, job: Any, robot: Any) -> Sums:
 
 
 def unit_of(level: Level, prefix: Sequence[int], keep: int = 1) -> runs.UnitArrays:
-    """New arrays for a unit: with the prefix and the limits, and with room for the results.
+    """New arrays for a unit: they hold ``prefix``, bounds and budgets, and room for the results.
 
-    The arguments are those of :func:`judge`.
+    ``level`` is the request, with the bounds and the budgets of the runs; ``prefix`` holds the
+    first decisions of the unit's maps.  There is room for ``keep`` runs that break a law.
     """
     bounds = array(level.bounds, int64)
     return runs.UnitArrays(
@@ -174,11 +175,12 @@ def _at(row: list[int], darts: int) -> At:
 def walk(level: Level, prefix: Sequence[int], *, keep: int = 1, halt: Any = None) -> Sums:
     """Walk Algorithm 1 once in every map whose first decisions are ``prefix``.
 
-    The request ``level`` must ask for the class ``maps``, the directional lighthouse, all laws, and
-    a bound that depends on n alone; other values of these options are ignored.  Return the same
-    counts as :func:`judge`, with one exception: if a walk breaks a law, the result has one broken
-    run of this rooted map, without a law's name, which stands for all places of the lighthouse.
-    A walk that costs more than the largest budget breaks a law.
+    Call this function only if the request ``level`` asks for the class ``maps``, the directional
+    lighthouse, all laws, and a bound that depends on n alone: the function takes this for granted,
+    and does not check it.  Return the same counts as :func:`judge`, with one exception: if a walk
+    breaks a law, the result has one broken run of this rooted map, without a law's name, which
+    stands for all places of the lighthouse.  A walk that costs more than the largest budget breaks
+    a law.
 
     The arguments are those of :func:`judge`.
 
@@ -276,11 +278,11 @@ class UnitJudge:
     def judge(self, batch: LaidOutRuns, size: int) -> tuple[Sums, bool]:
         """Judge the logs in memory; return the results, and whether they are valid.
 
-        They are not valid if only the Python judge can judge some log, for example because it
-        holds an unusual entry; if the percepts do not fit into memory; or if the bound has no
-        value in a world.
+        The results are not valid if only the Python judge can judge some log, for example because
+        the log holds an unusual entry; if the percepts do not fit into memory; or if the bound has
+        no value in a world.
 
-        The percepts of these runs are written to the memory of the second play.
+        The percepts of the batch's runs are written to the memory of the second play.
 
         Args:
             batch: the batch whose logs are in memory.
@@ -306,16 +308,19 @@ class UnitJudge:
 
 @entry
 def lay_out(job, unit, heads, worlds):
-    """Write runs to memory up to number ``job.until``, or until there is no more room.
+    """Write the next runs of a unit to memory; return the number of the written runs.
 
-    At least one run is written if a run is left and ``job.until`` is not 0.  Return the number of
-    written runs.  ``job`` and
-    ``unit`` are the arguments of :func:`allworlds.engines.kernel.runs.examine`.  ``job.number``
-    becomes the number of the next run, and ``job.until`` becomes 0 after the last run.  Each run is
-    written to a row of ``heads`` and a row of ``worlds``.  A row of ``heads`` holds the budget, the
-    number that the explorer is told, the number of the run, and the number of the place.  A row of
-    ``worlds`` holds five numbers for each dart: the first dart of its vertex, the other dart of its
-    edge, and the percept on arriving by the dart.
+    Map after map of the unit is made, and all runs in this map are written.  Once a run is written,
+    no further map is begun if ``job.number``, the number of the next run, has reached
+    ``job.until``, or if there may be too little room for all runs of the map.
+
+    ``job`` and ``unit`` are the arguments of :func:`allworlds.engines.kernel.runs.examine`.  After
+    the last run of the unit ``job.until`` becomes 0; in later calls nothing is written.
+
+    Each run is written to a row of ``heads`` and a row of ``worlds``.  A row of ``heads`` holds the
+    budget, the number that the explorer is told, the number of the run, and the number of the
+    place.  A row of ``worlds`` holds five numbers for each dart: the first dart of its vertex, the
+    other dart of its edge, and the three numbers of the percept on arriving by the dart.
     """
     g, world, placed = job.gluing, job.world, 0
     room = len(heads) - 2 * layout.MOST_PLACES

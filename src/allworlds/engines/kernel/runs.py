@@ -110,9 +110,9 @@ def examine(job, player, unit, halt):
 def _bound_of(world, bounds, met):
     """The largest legal cost of a run in ``world``, or UNDEFINED if the bound has no value.
 
-    ``bounds`` and ``met`` are those of :class:`UnitArrays`.  Note in ``met`` that a run of this
-    size has occurred.  The size of a run consists of n, the
-    degree of v0 and the largest degree; a degree on which the bound does not depend is noted as 0.
+    ``bounds`` holds the largest legal costs, and ``met`` is 1 where a run has occurred; this run is
+    noted there.  Both arrays have three indices: the number of vertices, the degree of v0, and the
+    largest degree.  If the bound does not depend on one of these degrees, its index is 0.
     """
     n, d0, largest = world.vertices, 0, 0
     if bounds.shape[1] > 1:
@@ -242,10 +242,11 @@ def _sense(world, dart, percept):
 def _follow(world, reader, budget, log, judged):
     """Follow the next log through the world; return what :func:`play` returns.
 
-    The percepts are noted for the second play.  Here only the kinds of entries that a run with an
-    estimate needs are known.  A log that ends with a fault, or with an unknown entry, gets the law
-    illegal-action for the time being; the Python judge finds the law that is really broken, if
-    any.  The logs with an unknown or misplaced entry are also counted in ``reader.strange``.
+    The percepts are noted for the second play.  This function knows motions, choices, checkpoints,
+    estimates, and the two entries by which a run breaks the law budget.  If the log has any other
+    entry, or a misplaced one, the returned law is illegal-action for the time being; the Python
+    judge finds the law that is really broken, if any.  Such logs are also counted in
+    ``reader.strange``, unless the entry is FAULT: the player's note that the explorer breaks a law.
     """
     logs, size, published = reader.logs, reader.size, log.published
     run, noted = reader.run, reader.noted

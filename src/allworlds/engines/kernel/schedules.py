@@ -47,7 +47,10 @@ _FAR = 1 << 30
 
 
 class Rooms(NamedTuple):
-    """The arrays of a search: the costs that are known, and the results."""
+    """The arrays of a search: the tables of the present world, and the results of all worlds.
+
+    ``worst``, ``best`` and ``reached`` are the tables; they are computed anew in each world.
+    """
 
     # The worst and best costs by set of edges and vertex; the reached vertices by set of edges.
     worst: Any
@@ -174,8 +177,11 @@ def _begin(job, reached):
 def _pass(job, explored, known, worst, best):
     """Find for each dart in U the largest and the least cost from crossing that dart to the answer.
 
-    The costs are written to ``job.most`` and ``job.least``; for a dart that is not in U, -1 is
-    written to ``job.most``.  The costs after this pass are read from ``worst`` and ``best``.
+    S has the edges ``explored`` and the vertices ``known``; U holds the other darts of these
+    vertices.  The costs for dart e are written to ``job.most[e]`` and ``job.least[e]``; if e is not
+    in U, -1 is written to ``job.most[e]``.  The costs that remain after the pass are read from
+    ``worst[after, v]`` and ``best[after, v]``: here ``after`` is the set ``explored`` with the edge
+    of e, and v is the vertex at which the pass ends.
     """
     world = job.world
     _shortest(job, 0, job.near)

@@ -432,24 +432,30 @@ def compass(world):  # pragma: no cover  # compiled
 
 
 def cluster(world):  # pragma: no cover  # compiled
-    """Put one mark at v0, and two marks at the next neighbour v1.
+    """Put one mark at v0, and two marks at v1, the vertex to which the next place leads.
 
-    Each dart of v0 that leads to a neighbour is a place.
+    A place is a dart of v0 that leads to another vertex.  If no place is left, ``world.place``
+    becomes NONE.
     """
     if _to_neighbour(world, ANY):
         _cluster(world)
 
 
 def cluster_single(world):  # pragma: no cover  # compiled
-    """Do :func:`cluster`, but only for neighbours v1 that exactly one edge joins to v0."""
+    """Put one mark at v0, and two marks at v1, the vertex to which the next place leads.
+
+    A place is a dart of v0 that leads to another vertex, to which no other dart of v0 leads.  If no
+    place is left, ``world.place`` becomes NONE.
+    """
     if _to_neighbour(world, SINGLE):
         _cluster(world)
 
 
 def natural(world):  # pragma: no cover  # compiled
-    """Choose the next neighbour v1 such that no other vertex has the degree of v0 or of v1.
+    """Choose the next neighbour v1 of v0, and tell the explorer the degree of v1; put no marks.
 
-    Each such neighbour is a place.  The explorer is told the degree of v1.
+    Each neighbour v1 is a place if v0 and v1 have different degrees, and no third vertex has one of
+    these two degrees.  If no place is left, ``world.place`` becomes NONE.
     """
     if _to_neighbour(world, UNIQUE):
         world.told = world.degree[world.alpha[world.pointed]]
