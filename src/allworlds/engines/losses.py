@@ -11,8 +11,8 @@ The left column says what has happened, the right column what follows:
     the fresh player does not repeat the loss, and the    the run breaks the law of the loss; the
     machine cannot be the cause of the loss               finding says that the run breaks this law
                                                           only after other runs in one process
-    the fresh player does not repeat the loss by a        the same as in the row above
-    time-out, nor was an earlier time-out repeated
+    the loss is the second or a later time-out in the     the same as in the row above
+    lane that the fresh player does not repeat
     the fresh player does not repeat the loss, in all     a remark, a sentence of the report, which
     other cases                                           refutes nothing
     ====================================================  ========================================

@@ -81,9 +81,9 @@ class Settler:
     def give_up(self, which: int, batch: RunBatch) -> None:
         """Judge the runs of a batch in which a player was lost.
 
-        For each of these runs that breaks a law, a finding is put into the unit's tally.  A lane that gives up calls
-        this method: the batch is not finished, and its runs are not counted.  ``which`` is the
-        number of the player that was lost last, FIRST or SECOND.
+        For each of these runs that breaks a law, a finding is put into the unit's tally.  A lane
+        that gives up calls this method: the batch is not finished, and its runs are not counted.
+        ``which`` is the number of the player that was lost last, FIRST or SECOND.
         """
         outcomes = dict[int, Outcome]()
         for index in batch.lost:
