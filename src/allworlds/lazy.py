@@ -10,13 +10,14 @@ from typing import Any
 
 
 def open_door(package: str) -> None:
-    """Give a package ``__getattr__``, by which its names are loaded, ``__dir__`` and ``__all__``.
+    """Give a package the three attributes ``__getattr__``, ``__dir__`` and ``__all__``.
 
-    The names are those that the ``__init__`` of the package imports in a block under
-    ``if TYPE_CHECKING``.  So the ``__init__`` has each name once, and editors and type checkers
-    find the name.  If there are two such blocks, the names in the second block are for other
-    packages of this program: these names are loaded, too, but ``__dir__`` and ``__all__`` do not
-    list them.
+    ``__getattr__`` loads a name of the package when the name is first used; ``__dir__`` and
+    ``__all__`` list the names.  The names are those that the ``__init__`` of the package imports in
+    a block under ``if TYPE_CHECKING``.  So the ``__init__`` has each name once, and editors and
+    type checkers find the name.  If there are two such blocks, the names in the second block are
+    for other packages of this program: these names are loaded, too, but ``__dir__`` and ``__all__``
+    do not list them.
 
     Args:
         package: the name of the package, which is being imported.

@@ -75,9 +75,13 @@ def _bound(given: object) -> Bound | None:
 
 
 def _laws(given: object) -> tuple[str, ...] | None:
-    """The names of laws in ``given``, after a check that each is known, and none is named twice.
+    """The names of laws in ``given``, a list or other iterable of texts.
 
     The result is None if ``given`` is None.
+
+    Raises:
+        InputError: if ``given`` is a single text or no iterable, or names no law, an unknown law,
+            or a law twice.
     """
     if given is None:
         return None
@@ -349,8 +353,11 @@ class Rules(RuleOptions, kw_only=False):
         """The step budget of a run in a world of this size; see :meth:`budget`.
 
         The result is the field ``step_budget``, unless this field is None.  If the field is None,
-        the result is the default step budget, or the explorer's own bound if that is larger and
-        depends only on the size; but never more than :meth:`budget_of_bound`, if this has a value.
+        the result is the default step budget.  Two cases change this default.  If the explorer's
+        own bound depends only on the size, and is larger, the result is this bound.  If
+        :meth:`budget_of_bound` has a value, the result is at most this value.
+
+        ``vertices`` and ``edges`` are the size: the numbers of vertices and edges.
         """
         if self.step_budget is not None:
             return self.step_budget

@@ -268,8 +268,8 @@ def named_map(name: str) -> CombinatorialMap:
     (star), vertices (cycle, path), or spokes (wheel).  Dart 0 is at the hub of a wheel or star.
     All maps with an N are planar.  ``theta`` has three parallel edges; ``k4-torus`` is K4 with
     faces of 4 and 8 edges.  ``fig1-left`` and ``fig1-right`` are two planar simple maps with all
-    properties in the caption of the paper's Fig. 1; the marked vertex is the first vertex.  The
-    paper may show another pair with these properties.
+    properties that the caption of the paper's Fig. 1 states.  The vertex that the paper marks
+    is vertex 0 in both maps.  The paper may show another pair with these properties.
 
     Raises:
         NoSuchMap: for another name, or an N out of range, naming the legal names or numbers.

@@ -157,12 +157,15 @@ class AllOf(Struct, frozen=True):
 
     @property
     def name(self) -> str:
-        """The names of the parts, joined by :data:`AND`."""
+        """The names of the single conditions, joined by :data:`AND`."""
         return AND.join(part.name for part in self.parts)
 
     @property
     def codes(self) -> tuple[Any, ...]:
-        """The user's programs on which the parts depend."""
+        """The user's own code of the single conditions; empty if all conditions are built in.
+
+        Each element is a ``UserCode`` of the module ``protocol.user_code``.
+        """
         return tuple(code for part in self.parts for code in getattr(part, "codes", ()))
 
     def holds(self, map_: CombinatorialMap) -> bool:
@@ -299,10 +302,11 @@ def girth_at_least(gluing: Gluing, least: int) -> bool:
 def _shortest_round(
     start: int, goal: int, beyond: Callable[[int], Iterable[int]], most: int
 ) -> int | None:
-    """The length of a shortest cycle through one edge, from the vertex ``start`` to ``goal``.
+    """The length of a shortest cycle through a given edge, which joins ``start`` and ``goal``.
 
-    The result is None if this length is more than ``most``.  ``beyond`` takes a vertex, and returns
-    the vertices to which all other edges of that vertex lead.
+    The length is a number of edges, the given edge included; the result is None if the length is
+    more than ``most``.  ``beyond`` is a function that takes a vertex, and returns the vertices at
+    the other ends of its edges, the given edge left out.
     """
     ring, met = {start}, {start}
     for length in range(1, most + 1):
@@ -364,9 +368,10 @@ class MapSource(Protocol):
     """Maps that are given one by one, instead of all maps of a class.
 
     Attributes:
-        starts: for each number of edges, ascending, the number of the given rooted maps: a map
-            counts once for each of its starts.
-        count: the number of the maps.
+        starts: the numbers of the given rooted maps.  The keys are numbers of edges, ascending; the
+            value is the number of rooted maps with so many edges.  A map counts once for each dart
+            that is given as its start.
+        count: the number of the maps, each counted once.
         fixed: whether each map comes with a single start and a single place of its lighthouse.
         words: words about the number and the origin of the maps, for messages.
         gate: the reason why the number of the maps cannot be compared with an independent count.
@@ -510,10 +515,16 @@ class ExtentOptions(ClassOptions, SizeOptions):
 
     @property
     def condition(self) -> Condition | None:
-        """The condition that narrows the class of maps; None here, and in requests without one."""
+        """The condition that narrows the class of maps; None if there is none.
+
+        This class has no condition; a subclass that has one overrides the property.
+        """
         return None
 
     @property
     def given(self) -> MapSource | None:
-        """The given maps; None here, and in requests that take all maps of a class."""
+        """The given maps; None if the request takes all maps of a class.
+
+        This class takes all maps; a subclass that can take given maps overrides the property.
+        """
         return None

@@ -116,8 +116,9 @@ def _diagonals(previous: dict[int, int], root: int) -> CombinatorialMap:
 
     Edge i of the quadrangulation has the darts ``2i`` and ``2i + 1``; ``previous`` is the inverse
     of the quadrangulation's sigma.  The colour is that of the vertex of ``root``, a dart of the
-    quadrangulation.  At the vertices of this colour, each dart of the quadrangulation becomes a
-    dart of the map: the end of the diagonal beside it.  ``root`` becomes dart 0 of the map.
+    quadrangulation.  Each dart d of the quadrangulation at a vertex of this colour becomes a dart
+    of the map: the end of the diagonal that leaves the vertex between d and sigma(d).  ``root``
+    becomes dart 0 of the map.
     """
     following = {d: e for e, d in previous.items()}
 
@@ -150,9 +151,9 @@ def bouquet(loops: int, random: Random) -> CombinatorialMap:
 def lollipop(degree: int, length: int, random: Random) -> CombinatorialMap:
     """A path that leads from vertex 0, of degree 1, to a knot: a random part.
 
-    The path has L inner vertices; loops raise their degree to D.  The knot has L vertices of degree
-    D, so that the knot looks like the path; only its last vertex has the degree D + 1.  The edges
-    in the knot are random.
+    The path has L inner vertices; loops raise their degree to D.  The knot has L vertices: the last
+    one has the degree D + 1, all others have the degree D, so that the knot looks like the path.
+    The edges in the knot are random.
     """
     if degree < 4 or degree % 2 or length < 1:
         raise ValueError("D is even and at least 4, L at least 1")

@@ -115,7 +115,7 @@ def undirected(graph: nx.Graph) -> nx.Graph:
     Raises:
         InvalidMap: for a value that is not a graph, or a graph without a node; naming a node
             without an edge, an edge without the reverse direction, or an edge whose two directions
-            have different keys or ids.
+            have different keys, or different values of an attribute in :data:`IDS`.
     """
     import networkx as nx
 
@@ -152,7 +152,8 @@ def _refuse_loops_and_parallels(graph: nx.Graph) -> None:
 def from_positions(graph: nx.Graph, pos: Mapping[Any, Sequence[float]]) -> CombinatorialMap:
     """The map of a drawing with straight lines, which may cross.
 
-    The clockwise order of the lines round each node is that of the map; the genus follows from it.
+    The clockwise order of the lines round each node becomes the order of the darts in the map; the
+    genus follows from this order.
 
     Args:
         graph: as in :func:`from_networkx`, without loops and parallel edges.

@@ -43,8 +43,10 @@ class Round(Struct, frozen=True):
 def round_of(walk: Sequence[Any]) -> Round | None:
     """The round with which a walk ends; None if the walk ends in no round.
 
-    ``walk`` holds a value for each step; equal values stand for equal steps.  If several rounds are
-    possible, the one whose repetition begins earliest is returned.
+    A walk ends in a round if from some step on it repeats a sequence, at least :data:`TIMES` times
+    in full; after these, the end of the walk may cut off one more repetition.  ``walk`` holds a
+    value for each step; equal values stand for equal steps.  If several rounds are possible, the
+    one whose repetition begins earliest is returned.
 
     Cost: linear, by the borders of the reversed walk (Knuth, Morris and Pratt).
     """
@@ -63,9 +65,11 @@ def round_of(walk: Sequence[Any]) -> Round | None:
 
 
 def tell_round(story: Story) -> list[str]:
-    """Say where the round begins with which the walk ends, and name its darts and lines of code.
+    """Say at which step the round at the end of the walk begins, and how often it occurs.
 
-    The result is empty if the walk ends in no round.
+    The sentence names the robot's darts after the steps of the round, and the lines of the user's
+    code that ran in these steps, if they are known.  The result is empty if the walk ends in no
+    round.
     """
     walk = story.walk
     found = round_of([*zip(map(str, walk.actions), walk.darts[1:], strict=True)])
@@ -93,8 +97,9 @@ def tell_way_back(story: Story) -> list[str]:
 
     The sentence names the first motion after a way back by which the robot left along an edge that
     it had walked before, while the meant door led along a new edge: the explorer seems to have
-    wanted the new edge.  But if by any motion the robot left along a new edge, while the meant door
-    led along a walked edge, the mistake does not explain the walk, and the result is empty.
+    wanted the new edge.  The opposite case is a motion by which the robot left along a new edge,
+    although the meant door led along a walked edge.  If the walk has at least one such motion,
+    the mistake does not explain the walk, and the result is empty.
     """
     map_, darts = story.map, story.walk.darts
     came, left, walked, remarks = dict[int, Dart](), dict[int, Dart](), set[Dart](), list[str]()
@@ -155,6 +160,9 @@ def stack_of(finding: Finding) -> list[tuple[str, str]]:
 
 
 def tell_stack(finding: Finding) -> list[str]:
-    """Name the lines of :func:`stack_of`, where the explorer was silent; empty if none is known."""
+    """Name the lines and functions of :func:`stack_of`, which ran when the explorer was silent.
+
+    The result is empty if no such line is known.
+    """
     frames = [f"{function} ({line})" for line, function in stack_of(finding)[:SHOWN]]
     return [f"It was then in the function {', called by '.join(frames)}."] if frames else []

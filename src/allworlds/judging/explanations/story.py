@@ -1,7 +1,7 @@
 """The story of a run: names of vertices and darts, the walk in a wrong answer, and slips.
 
 A slip is the one mistake by which a wrong answer differs from the world.  The walk in the answer is
-the robot's walk in the world with the same actions, but in the answer's map; the two walks diverge
+a walk in the answer's map, with the actions of the robot's walk in the world; the two walks diverge
 at the first step at which the answer and the world contradict each other.
 """
 
@@ -92,11 +92,13 @@ class Story(Walked):
 
     Attributes:
         finding: the finding that is explained.
-        checkpoint: the number of steps before the checkpoint that breaks the law, or, in a run
-            without an answer, before the first wrong checkpoint; None without such a checkpoint.
+        checkpoint: the number of steps before a wrong checkpoint; None if there is none.  If the
+            broken law is about checkpoints, the checkpoint is the one that breaks the law.  If the
+            run ended without an answer, for example in a crash, the checkpoint is the first one
+            that breaks I-1 or I-2.
 
     Raises:
-        InputError: if the finding's transcript is impossible in its world, or ends before that
+        InputError: if the finding's transcript is impossible in its world, or ends before this
             checkpoint.
     """
 
@@ -156,8 +158,8 @@ class Telling(Struct, frozen=True):
     Attributes:
         sentences: the sentences of the explanation.
         step: the step at which a mistake first shows: for a wrong answer the first step at which
-            the walks in the answer and in the world diverge, else the number of steps before the
-            wrong checkpoint; None if there is no such step.
+            the walks in the answer and in the world diverge; else the attribute ``checkpoint`` of
+            the :class:`Story`; None if there is no such step.
         answer: the wrong answer; None if the law is not about the answer.
         other: another world that agrees with the log; None if the law is not about such worlds.
         slip: the name of the slip that makes the answer wrong; empty if none is known.
@@ -258,11 +260,14 @@ def bearings_anticlockwise(belief: Belief) -> Slip | None:
 
 
 def _fits(map_: CombinatorialMap, sensed: Iterable[tuple[Dart, Percept]], way: int) -> bool:
-    """Whether the percepts at each vertex of ``map_`` agree on degree, marks and pointed dart.
+    """Whether the percepts ``sensed`` are possible in ``map_``.
+
+    Each percept must show the degree of its vertex in ``map_``.  All percepts at one vertex must
+    have the same marks, and their bearings must all lead to the same dart.
 
     Args:
         map_: a map.
-        sensed: the percepts, each after the robot's dart in ``map_``.
+        sensed: pairs of the robot's dart in ``map_`` and the percept there.
         way: 1 if bearings count darts clockwise, -1 if anticlockwise.
     """
     found: dict[int, tuple[int, Dart | None]] = {}
@@ -379,7 +384,10 @@ def _edge_missing(belief: Belief) -> Slip | None:
 
 
 def _edge_too_many(belief: Belief) -> Slip | None:
-    """Recognise an answer with one edge too many, perhaps one that makes two vertices of one."""
+    """Recognise an answer with one edge too many.
+
+    Without this edge, or after its contraction to a vertex, the answer's map is the world's map.
+    """
     world, answer = belief.story.map, belief.answer.map
     for _, less in _without_an_edge(deleted, answer, world):
         sentence = "The answer has one edge too many; without this edge it is the world's map."
@@ -397,8 +405,9 @@ def _without_an_edge(
 ) -> Iterator[tuple[Dart, CombinatorialMap]]:
     """The edges of ``larger`` whose removal makes this map equal to ``smaller``.
 
-    The function ``taking`` removes the edge of a dart from a map, or returns None if that is
-    impossible.  Each edge is given by its smaller dart, together with the map without the edge.
+    ``taking`` is the function that removes the edge of a dart from a map: ``deleted`` or
+    ``contracted``.  It returns None if the removal is impossible.  Each edge is given by its
+    smaller dart, together with the map without the edge.
     """
     if larger.edge_count == smaller.edge_count + 1:
         for d, _ in larger.edges:

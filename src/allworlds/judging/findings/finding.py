@@ -65,8 +65,9 @@ class Believed(doc.Document, forbid_unknown_fields=False):
 class CodeLines(doc.Document, forbid_unknown_fields=False, kw_only=True):
     """Lines of code.
 
-    Lines of the user's Python code that ran in a refuting run, each as ``FILE:LINE``. An empty text
-    stands for a line of other code.
+    Lines of the user's Python code that ran in a refuting run, each as ``FILE:LINE``. ``steps`` and
+    ``checkpoints`` hold one line for each action and each checkpoint of the run, in order; an empty
+    text stands for a line of other code.
     """
 
     steps: Annotated[
@@ -95,7 +96,8 @@ class CodeLines(doc.Document, forbid_unknown_fields=False, kw_only=True):
 class EarlierRun(doc.Document, forbid_unknown_fields=False):
     """Earlier run.
 
-    A run after which a later run in the same process has another result.
+    A run that changes the result of a later run in the same process: in a fresh process, without
+    the earlier run, the later run would have another result.
     """
 
     world: Annotated[doc.FromJson[World], doc.about("its world, in canonical numbering")]
@@ -107,9 +109,10 @@ class Finding(doc.Document, Paged, forbid_unknown_fields=False, kw_only=True):
     A run that breaks a law, with all data to play it again. When a finding is read, unknown keys
     are ignored, except in its world.
 
-    ``at`` holds the place and ``under`` the rules if they are known; else they follow from the
-    world and the options. ``machine`` tells whether the machine, not the explorer, may be the
-    cause.
+    ``at`` is the number of the lighthouse's place, and ``under`` the rules of the run. Each of the
+    two is None if unknown; then the place follows from the world, and the rules follow from
+    the world and ``options``. ``machine`` tells whether the machine, not the explorer, may be the
+    cause of the broken law.
     """
 
     version: Annotated[Literal[2], doc.about("the version of findings")]
@@ -193,7 +196,11 @@ class Finding(doc.Document, Paged, forbid_unknown_fields=False, kw_only=True):
 
     @doc.computed
     def reproduce(self) -> str:
-        """A shell command that repeats the run; a line of Python for a function without a name."""
+        """A shell command that repeats the run, or a line of Python if no command can do so.
+
+        The line of Python is for an explorer that the command line cannot name: a function from
+        ``__main__``, a lambda, or a function inside another function.
+        """
         if self.after:
             return REPLAY
         module, _, name = self.explorer.partition(":")

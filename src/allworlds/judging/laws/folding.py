@@ -13,7 +13,7 @@ from allworlds.protocol.actions import Move, Percept, Transcript
 
 
 class Contradiction(ValueError):
-    """Raised for a log that a run in no world with a directional lighthouse can have."""
+    """Raised for a log that no run in a world with a directional lighthouse can have."""
 
 
 class Folded(Struct, frozen=True):

@@ -257,10 +257,10 @@ def _wrong_part(case: Case, steps: int, checkpoint: Checkpoint) -> str | None:
 def invariant_2(case: Case) -> Violation | None:
     """Require I-2 at every checkpoint: U is the set of unexplored darts at the explored vertices.
 
-    U is the set of the open darts of S, the darts u with alpha(u) = u.  The function checks only
-    that no such u is alpha(d) for another dart d of S: then u is the other end of an explored edge.
-    If I-1 holds, S has every dart of each explored vertex, so nothing else can break I-2.  Whether
-    I-1 holds is not checked here; that is the law ``invariant-1``.
+    U is the set of the open darts of S, the darts u with alpha(u) = u.  I-2 is broken if such a u
+    is also alpha(d) for another dart d of S, because u is then the other end of an explored edge.
+    The function checks only this.  If I-1 holds, S has every dart of each explored vertex, so
+    nothing else can break I-2.  The law ``invariant-1`` checks whether I-1 holds.
     """
     for steps, checkpoint in case.checkpoints:
         if broken := _half_entered(checkpoint):
@@ -391,7 +391,8 @@ class Law(Struct, frozen=True):
         asks: the requirement on an explorer, in a sentence.
         check: the function that returns the violation of the law in a run, or None.
         needs: the condition under which the law is checked; every law has one.  ``maps``: the task
-            is ``map``.  ``folds``: moreover the log of a correct explorer must determine the map.
+            is ``map``.  ``folds``: the task is ``map``, and the lighthouse and the class are such
+            that the log of every correct explorer determines the map (see :data:`FOLDS`).
             ``bounded``: there is a bound on the traversals.
     """
 
