@@ -95,7 +95,7 @@ class Story(Walked):
         checkpoint: the number of steps before a wrong checkpoint; None if there is none.  If the
             broken law is about checkpoints, the checkpoint is the one that breaks the law.  If the
             run ended without an answer, for example in a crash, the checkpoint is the first one
-            that breaks I-1 or I-2.
+            that breaks I-1 or I-2; it is recorded only if the law ``invariant-1`` is checked.
 
     Raises:
         InputError: if the finding's transcript is impossible in its world, or ends before this

@@ -66,8 +66,9 @@ class CodeLines(doc.Document, forbid_unknown_fields=False, kw_only=True):
     """Lines of code.
 
     Lines of the user's Python code that ran in a refuting run, each as ``FILE:LINE``. ``steps`` and
-    ``checkpoints`` hold one line for each action and each checkpoint of the run, in order; an empty
-    text stands for a line of other code.
+    ``checkpoints`` hold one line for each action and each checkpoint of the run, in order; after
+    the actions, ``steps`` may also hold the line where the explorer ended. An empty text stands for
+    a line of other code.
     """
 
     steps: Annotated[
