@@ -57,7 +57,8 @@ class Completed(Struct, frozen=True):
         missing: the witnesses that a complete check must have seen, but this job has not.
         reason: always empty.
         stopped: always None.
-        final: always true: the same job would do nothing more if it began again.
+        final: always true: if the same job began again with the same run directory, the job would
+            find all its work done.
     """
 
     missing: tuple[str, ...] = ()
@@ -71,7 +72,9 @@ class Stopped(Struct, frozen=True):
 
     Attributes:
         reason: the reason for the stop.
-        final: whether the same job would do nothing more if it began again.
+        final: whether the stop itself ends the job, as after enough findings: if the same job began
+            again with the same run directory, the job would do nothing more.  False if the job
+            would go on, for example after a time limit.
     """
 
     reason: str
@@ -79,7 +82,7 @@ class Stopped(Struct, frozen=True):
 
     @property
     def stopped(self) -> str:
-        """The reason for the stop: the value of the key ``stopped`` in reports with rows."""
+        """The reason for the stop, as reports show it under the key ``stopped``."""
         return self.reason
 
 

@@ -380,11 +380,11 @@ def from_faces(faces: Sequence[Sequence[Hashable]]) -> CombinatorialMap:
     """The map of a closed surface that is glued from polygons.
 
     Args:
-        faces: for each face its vertices in the order of a walk round the face, such as ``"abc"``.
-            Each edge must be walked once in each direction; such a passage along an edge becomes a
-            dart of the vertex where the passage begins.  Darts are numbered in the order of the
-            passages.  Parallel edges and loops are refused; for maps that have them use
-            :func:`~allworlds.maps.build.from_cycles`.
+        faces: for each face its vertices, such as ``"abc"``, in the order of a walk round the face
+            with the face to the left.  The walks together must pass along each edge once in each
+            direction.  Each passage along an edge becomes a dart of the vertex where the passage
+            begins; the darts are numbered in the order of the passages.  Parallel edges and loops
+            are refused; for maps that have them use :func:`~allworlds.maps.build.from_cycles`.
 
     Raises:
         InvalidMap: naming an edge that is not walked once in each direction, a vertex at which two

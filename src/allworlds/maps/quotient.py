@@ -8,11 +8,12 @@ round each vertex of the map whose darts are in these classes.
 
 The lighthouse ``position`` is one mark at v0, without a direction.  Under this lighthouse finitely
 many worlds share a rooted quotient.  A world is made from the quotient and k sheets by a *choice*
-of permutations of the sheets.  For each vertex but v0 a permutation tells to which sheet a turn
-past each class of the vertex once leads; every cycle of the permutation has the vertex's cone index
-as its length.  For each edge a permutation tells to which sheet the edge leads: for a semi-edge one
-with all cycles of length 2; for an ordinary edge outside a spanning tree any permutation; for an
-edge of the tree the identity.  At v0 the permutation is fixed: a cyclic shift c of all k sheets.
+of permutations of the sheets.  Each vertex but v0 has a permutation: if a robot turns clockwise
+past every class of the vertex, past each one once, then the robot comes from a sheet to the image
+of this sheet.  Every cycle of this permutation has the vertex's cone index as its length.  Each
+edge has a permutation, too, which tells to which sheet the edge leads: for a semi-edge one with all
+cycles of length 2; for an ordinary edge outside a spanning tree any permutation; for an edge of the
+tree the identity.  At v0 the permutation is fixed: a cyclic shift c of all k sheets.
 Two choices make the same world if and only if conjugation by a power of c takes one choice to the
 other (docs/ambiguity.md).
 """

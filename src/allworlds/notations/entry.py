@@ -1,4 +1,8 @@
-"""Functions for readers and writers of files: decoding, the origin of an error, neighbours."""
+"""Functions that the readers and writers of notations share.
+
+They decode a file's bytes, tell in error messages where in the file the error is, and list the
+neighbours of each vertex.
+"""
 
 from collections.abc import Iterator
 from contextlib import contextmanager

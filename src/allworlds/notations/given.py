@@ -141,7 +141,12 @@ class GivenMaps:
 
     @property
     def described(self) -> dict[str, Any]:
-        """The keys, with their values, that name the given maps in the scope of a verdict."""
+        """The part of the scope of a verdict that describes the given maps: keys with their values.
+
+        The keys are ``sha256``, the digest of each file by the file's name, or None without files;
+        ``given``, the number of the maps; and, only for worlds that were made in this process,
+        ``worlds`` with an empty value.
+        """
         digests = {code.plain: code.record for code in self.codes}
         named = {} if self.of else {"worlds": ()}
         return {"sha256": digests or None, "given": self.count, **named}
@@ -193,8 +198,9 @@ def files_of(*names: str) -> tuple[Digest, ...]:
     """The digests of the files with the names ``names``; a file that is named twice has one digest.
 
     Raises:
-        InputError: if a file cannot be read; or if a report is being read, and the file has
-            changed since the report was made.
+        InputError: if a file cannot be read; or, inside a context of
+            :func:`~allworlds.protocol.user_code.as_recorded`, if a file does not have the digest
+            that was recorded for its name.
     """
     found = list[Digest]()
     for name in dict.fromkeys(names):
@@ -285,7 +291,14 @@ def _given(entry: Entry, name: str) -> GivenMap:
 
 
 def _worlds(given: object) -> tuple[Any, ...] | None:
-    """The names of files, or the worlds, in ``given``, as a tuple; None if ``given`` is None."""
+    """The names of files, or the worlds, in ``given``, as a tuple; None if ``given`` is None.
+
+    ``given`` may be a single name, several names, or several objects :class:`World`; a name is a
+    text or a Path.
+
+    Raises:
+        InputError: for any other value, also if names and worlds are mixed.
+    """
     if given is None:
         return None
     every = [given] if isinstance(given, str | Path) else given

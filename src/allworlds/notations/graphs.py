@@ -173,8 +173,8 @@ def _line_in_yed(edge: ET.Element, source: Any, target: Any) -> dict[str, Any]:
     """The points of an edge's line, both ends included, in the form that GML has.
 
     ``source`` and ``target`` are the boxes of the nodes at the ends, as :func:`_box_in_yed` returns
-    them, or None.  The result is empty if a node has no box, and if the line is straight, from the
-    middle of a box to the middle of a box.
+    them, or None.  The result is empty in three cases: ``edge`` has no element ``Path``; one of the
+    nodes has no box; or the line goes straight from the middle of one box to that of the other.
     """
     path = edge.find(f".//{YED}Path")
     if path is None or not (source and target):
@@ -350,10 +350,10 @@ def _box(name: str, data: dict[str, Any]) -> Box:
 
 
 def _point(given: Iterable[Any]) -> Point:
-    """The point of the first two numbers in ``given``, exactly as these numbers are printed.
+    """The point whose coordinates are the first two numbers in ``given``, as exact fractions.
 
-    If there are fewer than two values, or one of them is no number, TypeError or ValueError is
-    raised.
+    A float counts as the decimal number that Python prints for the float: 0.1 becomes 1/10.  If
+    there are fewer than two values, or one of them is no number, TypeError or ValueError is raised.
     """
     x, y, *_ = (Fraction(str(each)) for each in given)
     return x, y
@@ -420,9 +420,10 @@ def _inside(point: Point, middle: Point, half: Point, slack: Fraction) -> bool:
 def _leaves(path: list[Point], middle: Point, half: Point, slack: Fraction) -> Point:
     """The point of the drawing that determines the direction in which a line leaves a box.
 
-    The direction is that from the middle of the box to the point.  In general the point is that
-    where the line crosses the side of the box.  For a line from the middle, or a box without a
-    size, the point is the first point of the line outside the box, or else its last point.
+    The direction is that from the middle of the box to the result.  In general the result is the
+    point where the line crosses the side of the box.  But it is the first point in ``path`` outside
+    the box if the point before it is the middle of the box, or if the box has no width or no
+    height.  If no point in ``path`` is outside the box, the result is the last point in ``path``.
 
     Args:
         path: the points of the line, beginning in the box.

@@ -34,8 +34,12 @@ a byte of this value separates two vertices."""
 def _begun(file: IO[bytes], code: bytes) -> bytes:
     """The word in the header of a file, ``b" le"`` or ``b" be"``; empty without a word or a header.
 
-    ``code`` is the beginning of the header.  If the file's position is inside the header, the
-    position is moved to the end of the header.
+    ``code`` is the beginning of the header.  The header is read at the beginning of the file,
+    whatever the file's position is.  Afterwards the position is the same as before; only a position
+    before the end of the header becomes the end of the header.
+
+    Raises:
+        InputError: if the header has another word, or no end.
     """
     here = file.tell()
     file.seek(0)

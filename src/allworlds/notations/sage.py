@@ -35,7 +35,11 @@ FAT_GRAPH = re.compile(
 
 
 def _fat_graph(text: str) -> dict[str, list[list[int]]] | None:
-    """The permutations in a text such as ``FatGraph('(0)(1)', '(0,1)')``; None for other texts."""
+    """The cycles of darts in a text such as ``FatGraph('(0)(1)', '(0,1)')``; None for other texts.
+
+    The keys of the result are ``vertices``, ``edges`` and ``faces``; a text with only two
+    permutations has those of the vertices and of the faces.
+    """
     found = FAT_GRAPH.fullmatch(text)
     if not found:
         return None
@@ -45,9 +49,9 @@ def _fat_graph(text: str) -> dict[str, list[list[int]]] | None:
 
 
 def literal(text: str) -> Any:
-    """The value of a Python literal or a fat graph; raise InputError for any other text.
+    """The value of a Python literal, or for a fat graph the result of :func:`_fat_graph`.
 
-    A dictionary in which a key stands twice is refused, too.
+    InputError is raised for any other text, and for a dictionary in which a key stands twice.
     """
     if fat := _fat_graph(text):
         return fat

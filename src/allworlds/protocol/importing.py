@@ -126,7 +126,11 @@ def module_of_text(where: str, source: SourceText, name: str = "") -> Any:
 
 
 def _as_module(path: str) -> str:
-    """A hint for the user of a file with relative imports: its name as a module of its package."""
+    """A sentence that tells users how to name the file ``path``, which has relative imports.
+
+    The sentence has the name of the file as a module, with the packages that contain the module,
+    and the folder that PYTHONPATH must have.
+    """
     from pathlib import Path  # not loaded in players otherwise
 
     file = Path(path)

@@ -299,7 +299,8 @@ def answer_entry(answer: object, most: int = MOST_DARTS) -> bytes:
 
     Args:
         answer: the answer; any value is accepted, and for a wrong one the entry tells the fault.
-        most: the largest number of darts that are read.
+        most: the largest legal number of darts; for an answer with more darts the entry is the
+            fault ``no-estimate``.
     """
     expected = A_QUOTIENT if type(answer) is actions.Ambiguous else AN_ESTIMATE
     try:
@@ -324,7 +325,8 @@ def answer_entry(answer: object, most: int = MOST_DARTS) -> bytes:
 def any_answer_entry(answer: object, most: int = MOST_DARTS) -> bytes:
     """The entry in the log about an answer that may be an estimate, a quotient or a JSON value.
 
-    ``most`` is the largest number of darts that are read.
+    ``most`` is the largest legal number of darts of an estimate or a quotient, see
+    :func:`answer_entry`.
     """
     if type(answer) in (actions.Estimate, actions.Ambiguous):
         return answer_entry(answer, most)

@@ -140,7 +140,11 @@ class UserCode(Struct, frozen=True):
 
     @property
     def record(self) -> str:
-        """The value by which the program is recognised later: its text, or a module's digest."""
+        """The value that :func:`as_recorded` takes, to recognise the program later.
+
+        The value is the text of the program's file; or, if the program is named by a module, the
+        digest of the module's text.
+        """
         return self.source.text if self.source else self.digest
 
     def ensure_recorded(self, digest: object) -> None:

@@ -1,7 +1,8 @@
 """Content of reports about worlds that look alike: twins, classes, censuses and searches.
 
-An *ambiguity class* holds all worlds with one rooted quotient.  A *class of darts* holds the darts
-of such worlds that no motion tells apart.  A *census* counts the worlds that look like others.
+An *ambiguity class* holds all worlds with one rooted quotient.  The darts of such worlds are
+divided into *classes of darts*: no motion tells two darts of the same class apart.  A *census*
+counts the worlds that look like others.
 """
 
 from collections.abc import Sequence
@@ -225,8 +226,10 @@ def _quotient(quotient: Quotient) -> tuple[parts.Paragraph, parts.Table]:
 def census_content(census: census_sweep.AmbiguityCensus) -> parts.ReportContent:
     """The content for a census: how many worlds look like others, and the smallest two that do.
 
-    The rows are for each number of edges, and for each number of edges and of vertices.  They count
-    the worlds, the worlds that look like another one, and their ambiguity classes.
+    One table has a row for each number of edges.  A second table, and the CSV file, have a row for
+    each pair of a number of edges and a number of vertices.  Each row has the number of worlds, of
+    worlds that look like another world, and of the ambiguity classes of the latter, and the size of
+    the largest class.
     """
     header = ["marked worlds", "ambiguous", "groups of lookalikes", "largest group"]
     rows = [[row.edges, *_counts(row)] for row in census.rows]
@@ -303,7 +306,8 @@ def _counted(census: census_sweep.AmbiguityCensus) -> parts.Headline | None:
 def search_content(result: twin_search.SearchResult) -> parts.ReportContent:
     """The content for a search for twins: the answer, the twins if any, and the searched sizes.
 
-    The facts name the files of the *certificate*: the twins, or the proof that there are none.
+    Named facts tell the folder of the search's files, and the *certificate* if there is one: the
+    file with the twins, or the folder with the proof that there are none.
     """
     pair = []
     if result.pair and result.bisimulation:

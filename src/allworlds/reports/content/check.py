@@ -86,7 +86,11 @@ def _in_short(report: CheckReport) -> list[tuple[str, str]]:
 
 
 def _rows(report: CheckReport) -> parts.CsvRows:
-    """A row for each pair of a number of edges and a number of vertices, also for a sample."""
+    """A row for each pair of a number of edges and a number of vertices.
+
+    This holds for a sample, too, although :func:`size_table` shows its counts for each number of
+    edges alone.
+    """
     played = {"worlds": int, "runs": int, "episodes": int}
     costs = {"traversals": int, "traversals_rooted": int, "max_cost": int, "bound": int}
     if report.asked.schedules == "all":
@@ -197,8 +201,9 @@ def _of_sample(report: CheckReport) -> Iterator[tuple[str, str]]:
     """Yield facts about a sample of random worlds, called draws; none if all worlds are checked.
 
     The facts are: the mixture, which is the list of the ways of drawing that take turns; the number
-    of further worlds that were made by changing draws; and, if the whole sample breaks no law, a
-    bound on the probability that one more draw refutes.
+    of further worlds that were not drawn, but made from drawn worlds by small changes, if there are
+    any; and, if the whole sample breaks no law, a bound on the probability that one more draw
+    refutes the explorer.
     """
     sample = report.asked.coverage
     if not isinstance(sample, units.Sample):
@@ -283,11 +288,11 @@ def _gate(report: CheckReport) -> str:
 
 
 def _listed(cells: Sequence[GateCell]) -> str:
-    """Words about the second comparison of the count gate, which compares fingerprints.
+    """Words that say up to which number of edges a second enumeration agrees with the check.
 
-    They name the largest number of edges for which the fingerprint of a second enumeration is
-    known.  ``cells`` holds the comparisons of the gate.  The result is empty if no such fingerprint
-    is known.
+    The count gate compares numbers of maps; where the fingerprint of a second enumeration, made by
+    other code, is known, the gate also compares fingerprints.  ``cells`` holds the comparisons of
+    the gate, all of which agree.  The result is empty if no such fingerprint is known.
     """
     most = max((cell.edges for cell in cells if cell.listed), default=0)
     return f"; up to {plural(most, 'edge')} a second enumeration agrees" if most else ""
@@ -307,7 +312,7 @@ def _cases(report: CheckReport) -> Iterator[parts.SuiteCase]:
 
     The case of a number of edges has one of four results: passed; failed, with its findings; an
     error, if the count gate disagrees; or skipped, with the reason, if this level was not finished.
-    If two engines disagree, this is a case of its own.  A sample is one case.
+    A disagreement of two engines is a case of its own.  A sample is one case.
     """
     if isinstance(report.asked.coverage, units.Sample):
         yield replace(_sample(report, report.asked.coverage), seconds=sum(report.seconds))

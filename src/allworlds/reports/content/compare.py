@@ -23,8 +23,9 @@ from allworlds.world.named import code_of
 def compare_content(report: comparison.Comparison | growth.Growth) -> parts.ReportContent:
     """The content for a comparison: the verdict, the findings, and the costs.
 
-    A page of a comparison without growing worlds also has each explorer's walk in the world in
-    which the costs differ most.
+    The page of a :class:`comparison.Comparison` also has each explorer's walk in the world in which
+    the costs differ most.  The page of a :class:`growth.Growth`, a comparison in families of worlds
+    of growing size, has no walks.
     """
     return _growth(report) if isinstance(report, growth.Growth) else _comparison(report)
 
@@ -40,7 +41,7 @@ def _comparison(report: comparison.Comparison) -> parts.ReportContent:
 
 
 def _growth(report: growth.Growth) -> parts.ReportContent:
-    """The content for explorers in worlds that grow."""
+    """The content for explorers in worlds of families, by the size of these worlds."""
     ratios = [_ratios(report)] if report.ratios else []
     facts = parts.FactList(_growth_facts(report))
     tables = [_growth_table(report), *ratios, *_exponents(report)]
@@ -124,7 +125,7 @@ def _curve(lines: Lines) -> Iterator[parts.Curve]:
 def _short_names(report: entrants.ContestReport) -> list[str]:
     """The heads of columns: a short name for each explorer.
 
-    If the user has named a lighthouse behind the explorer, ``@`` and this lighthouse follow.
+    If the user has written ``EXPLORER@LIGHTHOUSE``, the short name ends in ``@LIGHTHOUSE``, too.
     """
     names = [*dict.fromkeys(one.subject.name for one in report.entrants)]
     short = dict(zip(names, short_names(names), strict=True))

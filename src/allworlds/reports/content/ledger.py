@@ -73,7 +73,11 @@ def _heading(section: str) -> str:
 
 
 def _headline(report: LedgerReport) -> parts.Headline | None:
-    """The verdict, and the number of claims with each outcome."""
+    """The verdict, and the number of claims with each outcome.
+
+    None if there are no claims and the job is complete.  For a job that ended early the headline is
+    that of :func:`parts.so_far`.
+    """
     if not report.claims:
         return parts.so_far(report, None)
     standings = Counter(one.standing for one in report.claims)

@@ -91,7 +91,11 @@ def trust(file: str) -> str:
 
 
 def left_out(worlds: int, among: str = "") -> str:
-    """A text about the worlds without a place for the lighthouse; empty if there are none."""
+    """A text about the worlds without a place for the lighthouse; empty if there are none.
+
+    ``worlds`` is the number of these worlds; ``among`` is a text that follows their number, such as
+    ``" of 120"`` if there are 120 worlds in all.
+    """
     return f"{words.plural(worlds, 'world')}{among}: no place for the lighthouse" if worlds else ""
 
 

@@ -311,8 +311,9 @@ def _lines(finding: Finding, step: int | None) -> Iterator[tuple[str, str]]:
 def _law(finding: Finding, step: int | None) -> parts.FactList:
     """Facts about a finding: the law, the expected and the found result, and lines of code.
 
-    If the found result is a map, or if the explorer's sigma and alpha are no map, the facts leave
-    out the expected and the found result.  ``step`` is the first step at which the walk in the
+    The expected and the found result are left out in two cases, because the fact about the law then
+    says what is wrong: the answer is an estimate with a wrong map or a wrong pose; or the
+    explorer's sigma and alpha are no map.  ``step`` is the first step at which the walk in the
     answer and the walk in the world diverge; None if they do not.
     """
     lines = [*_lines(finding, step)]

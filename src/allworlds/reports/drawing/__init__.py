@@ -1,7 +1,8 @@
 """Pictures of maps and worlds.
 
 A scene (in ``reports.parts``) is the content of a picture: a map with markers, names and a robot.
-Scenes are made of percepts, so no picture depends on the kind of a lighthouse.
+The markers in a scene are computed from the percepts at the darts, so the modules here need to know
+no kind of lighthouse.
 
 ``text``
     the scene in characters, exact for every genus: an arc diagram, or a table;

@@ -1,4 +1,6 @@
-"""The layout of a map: on a planar mesh, or else with the vertices on a circle.
+"""The layout of a map: regular, on a planar mesh, or with the vertices on a circle.
+
+The *mesh* is a triangulation of a planar drawing of the map, see ``planar``.
 
 A map can also be drawn and named like another map, as far as the two maps agree.
 """
@@ -68,15 +70,16 @@ distance from the vertex to a point in ``round_it``."""
 
 
 def straightened(centre: complex, round_it: Sequence[complex]) -> list[complex]:
-    """The points towards which the four rays of a crossing leave it, with each edge straight there.
+    """For each of the four rays of a crossing, the point towards which the ray leaves the crossing.
 
-    Two edges cross, and each has two rays.  The points are such that the two rays of an edge leave
-    in opposite directions, and that the angle between the edges is at least :data:`SQUAREST`.
+    Two edges cross; the rays are the two directions in which each edge leaves the crossing.  The
+    two rays of an edge become opposite, so that the edge is straight at the crossing.  The angle
+    between the edges becomes at least :data:`SQUAREST`.
 
     Args:
         centre: the crossing.
         round_it: a point on each of the four rays as they were drawn so far, clockwise; the first
-            and the third belong to one edge.
+            and the third belong to one edge.  The result has the rays in the same order.
     """
     rays = [point - centre for point in round_it]
     first, second = (_line(rays[k], rays[k + 2]) for k in (0, 1))
@@ -153,7 +156,7 @@ class Layout(Struct, frozen=True):
     def pieces(self, dart: Dart, other: Dart) -> list[tuple[complex, ...]]:
         """The control points of the edge from ``dart`` to ``other``.
 
-        The result has one list of them, or two for a cut edge.
+        The result has one tuple of control points; two tuples, one for each half, for a cut edge.
         """
         whole = [self.ways[dart]]
         return [*whole, self.ways[other][::-1]] if dart in self.letters else whole
@@ -220,7 +223,8 @@ def layout(map_: CombinatorialMap, root: Dart) -> Layout:
 def _ways(map_: CombinatorialMap) -> list[list[complex]]:
     """For each dart the control points of its edge in a planar drawing with vertices at crossings.
 
-    Empty if this drawing has more than :data:`MOST_DARTS` darts; darts at bends do not count.
+    The result is empty if this drawing has more than :data:`MOST_DARTS` darts.  Darts at bends, the
+    vertices of degree 2 that :func:`planar` puts into loops, do not count.
     """
     drawn = planar(map_)
     if drawn.unbent > MOST_DARTS:
@@ -247,9 +251,10 @@ def _ways(map_: CombinatorialMap) -> list[list[complex]]:
 
 
 def _round_a_circle(map_: CombinatorialMap) -> list[list[complex]]:
-    """The control points of each edge in a drawing with the vertices on a circle.
+    """For each dart the control points of its edge in a drawing with the vertices on a circle.
 
-    The darts round each vertex leave at equal angles, its first dart outwards.
+    The darts of a vertex leave the vertex at equal angles.  The first dart of the vertex in
+    ``map_.vertices`` points away from the centre of the circle.
     """
     count = map_.vertex_count
     outwards = [exp(1j * tau * vertex / count) for vertex in map_.vertex_of]

@@ -1,4 +1,8 @@
-"""Planar drawings, by Tutte's method on a mesh."""
+"""Planar drawings of maps, by Tutte's method.
+
+The drawing is triangulated; the triangulation is called the *mesh*.  Tutte's method puts each point
+of the mesh inside the outer ring in the middle of its neighbours.
+"""
 
 from cmath import exp
 from collections.abc import Sequence
@@ -276,7 +280,8 @@ def coordinates(net: Mesh) -> list[complex]:
     The coordinate y grows downwards, so clockwise is the sense of growing angles.  The unit is
     about the side of a triangle.
 
-    Cost: O(SWEEPS) times the points, for small maps.
+    Cost: linear in the points for each sweep.  Sweeps are made until no triangle is turned over, at
+    most :data:`MOST_SWEEPS`; then :data:`SWEEPS` more.
     """
     links, count = net.links, len(net.ring)
     radius = 0.6 * len(links) ** 0.5 + 2
@@ -295,7 +300,11 @@ def coordinates(net: Mesh) -> list[complex]:
 
 
 def _move(i: int, net: Mesh, points: list[complex]) -> None:
-    """Move the point i so that the triangles around it are less strained."""
+    """Move the point i so that the strain of the triangles around it, see :func:`_strain`, falls.
+
+    ``points`` holds the coordinates of all points, and is changed in place.  If no step that is
+    tried lowers the strain, the point stays.
+    """
     here = points[i]
     strain, step = _strain(here, i, net, points)
     step *= FURTHER
