@@ -571,3 +571,12 @@ def test_a_timer_that_an_explorer_has_left_ends_with_its_runs(does, monkeypatch)
         for timer in player.TIMERS:
             signal.setitimer(timer, 0)
     assert len(answers) == 1
+
+
+def test_a_new_player_is_in_no_run_and_a_loss_has_its_words(module):
+    one = PlayerProcess(setup_of(module), 0)
+    try:
+        assert [*one.beat] == [player.NO_RUN, 0]
+    finally:
+        one.close()
+    assert str(Lost("crash", "it died", machine=True)) == "it died"

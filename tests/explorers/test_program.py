@@ -380,3 +380,26 @@ def test_a_line_is_sent_when_earlier_lines_are_read(program, full_pipe, monkeypa
     monkeypatch.undo()
     assert asked == [(program._in_to, select.POLLOUT), 3000]
     assert os.read(full_pipe, 100) == b"line\n"
+
+
+def test_a_process_that_is_started_anew_has_not_said_what_the_one_before_has():
+    program = Program(f"{sys.executable} -c 'input()'", 5.0)
+    program._out += b"half of a line"
+    program._err += b"some words"
+    program.start()
+    try:
+        assert (bytes(program._out), bytes(program._err)) == (b"", b"")
+    finally:
+        program.close()
+
+
+def test_a_program_has_all_of_its_time(tmp_path):
+    script = tmp_path / "late.py"
+    script.write_text("import time\ninput()\ntime.sleep(0.3)\nprint('late', flush=True)\ninput()\n")
+    program = Program(f"{sys.executable} {script}", 1.25)
+    try:
+        program.start()
+        program._send(b"{}\n")
+        assert program._line() == b"late"
+    finally:
+        program.close()
