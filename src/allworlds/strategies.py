@@ -273,7 +273,11 @@ class _Growth:
         self.vertex_count = root.vertex_count
 
     def between(self) -> list[NewEdge]:
-        """All edges that can be added without a new vertex, ascending."""
+        """All edges between vertices of the map that can be added; the map stays in its class.
+
+        An edge is a pair (a, b) of darts, as in :data:`NewEdge`, with a <= b.  The pairs are in
+        lexicographic order.
+        """
         darts = range(len(self.sigma))
         face, _ = places(cycles([self.sigma[e] for e in self.alpha]))
         vertex, _ = places(cycles(self.sigma))
@@ -288,7 +292,7 @@ class _Growth:
         return [way for way in combinations_with_replacement(darts, 2) if allowed(*way)]
 
     def add(self, way: NewEdge) -> None:
-        """Add the edge ``way`` to the map."""
+        """Add the edge ``way`` to the map; :data:`NewEdge` says what its two darts mean."""
         a, b = way
         first = len(self.sigma)
         self.sigma += [first, first + 1]

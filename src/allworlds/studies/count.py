@@ -185,15 +185,16 @@ class CountSweep(sweep.Sweep["Counted", Census]):
 class Counted(Struct):
     """Counts of the maps of a part of a level.
 
-    In the sums each rooted map has a term, a number of isomorphisms of this map without its root.
-    From the sums the unrooted maps are counted.  Beyond :data:`UNROOTED_LIMIT` edges the sums are
-    not made.
+    The attributes ``fixed``, ``mirrored`` and ``dual`` are sums over the rooted maps, from which
+    the unrooted maps are counted.  The term of a rooted map is a number of isomorphisms, which need
+    not preserve the root.  For maps with more than :data:`UNROOTED_LIMIT` edges the sums are not
+    computed; they stay empty or 0.
 
     Attributes:
-        cells: the numbers of rooted maps, by vertices and genus.
-        fixed: the sums of the maps' numbers of automorphisms, by vertices and genus.
-        mirrored: the sum of the maps' numbers of isomorphisms onto the mirror image.
-        dual: the sum of the maps' numbers of isomorphisms onto the dual.
+        cells: the number of rooted maps, for each pair (number of vertices, genus).
+        fixed: the sum of the numbers of automorphisms, for each such pair.
+        mirrored: the sum, over all maps, of the numbers of isomorphisms onto the mirror image.
+        dual: the sum, over all maps, of the numbers of isomorphisms onto the dual.
     """
 
     cells: Counter[tuple[int, int]] = field(default_factory=Counter)

@@ -55,6 +55,9 @@ class FindingWords(Request):
 
 
 class FindingOptions(Request, kw_only=False):
-    """The part of a request that is a finding; :class:`FindingWords` are its words in a command."""
+    """The part of a request that is a finding.
+
+    On the command line the arguments of :class:`FindingWords`, a file and a number, name it.
+    """
 
     finding: Annotated[Finding | TeamFinding, OptionGroup(FindingWords, "the finding")]

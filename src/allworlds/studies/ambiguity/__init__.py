@@ -36,8 +36,8 @@ Modules
     the weakest sensors that suffice, among all coarsenings of a finest sensor; a sensor suffices if
     no two worlds with different rooted maps look alike under it;
 ``question``
-    the properties of two worlds for which solvers search, and which no motion shall tell apart:
-    lighthouse, class, bounds and a walk;
+    the question of a search: are there two different worlds that no motion tells apart, and that
+    have the given lighthouse, class, bounds and percepts on a walk?
 ``twin_search``
     the search for two such worlds, from the smallest worlds on;
 ``clauses``, ``one_world``, ``formulas``

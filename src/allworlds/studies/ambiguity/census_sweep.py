@@ -47,7 +47,10 @@ class CensusRequest(
     GivenOptions,
     classes.ExtentOptions,
 ):
-    """Request of ``ambiguity census``: a class of maps, its bounds, a lighthouse and the effort."""
+    """Request of ``ambiguity census``: a class of maps, its bounds, a lighthouse, and the job.
+
+    The options of the job are time limit, shard, run directory, Dask cluster and listener.
+    """
 
     lighthouse: Annotated[
         requests.Converted[kinds.GivenLighthouse, kinds.LighthouseKind],
@@ -106,9 +109,10 @@ class SensedParts(Struct, forbid_unknown_fields=True):
         looks: for each look the name of the smallest world with this look.  A look is a text that
             stands for all that a robot can find out from a start.
         alike: pairs of names of worlds that share a look, the smaller world first.
-        counted: the number of worlds in an ambiguity class, by the look of these worlds, computed
-            by Burnside's lemma.  A look is missing if the number was not asked for, or if the class
-            has one world alone because all its darts look different.
+        counted: for a look the number of worlds in the ambiguity class of the worlds with this
+            look, computed by Burnside's lemma.  A look is missing if this number was not asked for.
+            A look is also missing if all darts of a world with this look are told apart by motions:
+            then this world is the only member of its class.
     """
 
     worlds: doc.Natural
@@ -367,9 +371,10 @@ class AmbiguityCensus(SweptReport):
 
 @requests.answers(CensusRequest)
 def census(request: CensusRequest) -> AmbiguityCensus:
-    """Find the worlds of a class that look alike: every map with every place of its lighthouse.
+    """Find the worlds of a class of maps that look alike.
 
-    Isomorphic worlds count once.
+    All worlds of the class within the bounds are compared: every map with every place of the
+    lighthouse.  Isomorphic worlds count once.
 
     Raises:
         InputError: naming the offending option and what would be legal.

@@ -252,12 +252,15 @@ def lifts(quotient: Quotient) -> Iterator[CombinatorialMap]:
     """Yield the maps with this quotient, one for each way to connect the k sheets.
 
     The quotient merges k darts of a map into each class; dart ``q * k + i`` of a map is the dart of
-    class q in sheet i.  Sigma and alpha lead from sheet i to sheet i, except from some classes; for
-    each of these classes a permutation of the sheets is chosen, in all possible ways.  For sigma it
-    is one class of each vertex of the quotient: the last one in :attr:`Quotient.vertices`, from
-    which sigma leads back to the first one.  At the vertex v0 there is no choice: there sigma
-    always leads from sheet i to sheet i + 1 modulo k.  For alpha it is each semi-edge, and each
-    edge outside a spanning tree.
+    class q in sheet i.  From most classes, sigma and alpha lead from sheet i to sheet i.  From the
+    other classes they lead to the sheets that a permutation says; every possible permutation is
+    chosen in turn.
+
+    Sigma has a permutation at the last class of each vertex of the quotient, in the order of
+    :attr:`Quotient.vertices`; from this class sigma leads back to the vertex's first class.  The
+    permutation at v0 is not chosen: it always takes sheet i to sheet i + 1 modulo k.  Alpha has a
+    permutation at each semi-edge, which is a class that alpha takes to itself, and at each other
+    edge outside a spanning tree of the quotient.
 
     Several of these maps can be isomorphic, with v0 taken to v0.  A map whose v0 is fixed by ``a``
     automorphisms is yielded k / ``a`` times.
@@ -438,7 +441,7 @@ class AmbiguityClass(Report):
 def projection_of(world: World) -> Projection:
     """The quotient of a world, rooted at the class of the start, and the class of each dart.
 
-    The labels of the quotient are the percepts: for each class that at its darts.
+    The quotient has a label for each class: the percept that a robot senses at the class's darts.
     """
     return project((world.map, world.percepts, world.start))
 
@@ -514,9 +517,9 @@ def _checked(world: World, limit: int, universe: MapClass) -> None:
 def _members(quotient: Quotient, limit: int, own: LeastRooting) -> dict[Code, LeastRooting]:
     """The members of an ambiguity class by their codes, at most ``limit`` of them.
 
-    The members are those that :func:`lifts` yields first.  One of the ``limit`` members shall be
-    the given world, whose code is in ``own``: as long as this world was not met, only ``limit - 1``
-    others are kept.  If there are more than ``limit`` members, the result can lack the given world.
+    If the class has at most ``limit`` members, all are returned.  Otherwise these are returned: the
+    first ``limit`` members that :func:`lifts` yields, if the given world, whose code is in ``own``,
+    is one of them; else only the first ``limit - 1``, so that the caller can add the given world.
     """
     alike = range(quotient.sheets)  # the darts of a lift that lie over class 0
     found: dict[Code, LeastRooting] = {}

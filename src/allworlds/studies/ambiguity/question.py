@@ -178,8 +178,9 @@ class Question(Struct, frozen=True, dict=True):
     def sensing(self) -> base.Sensing:
         """The vertices that a robot recognises by more than the degree, and whether by bearings.
 
-        The class of a lighthouse in :data:`SEARCHED` says this itself.  Under any other lighthouse
-        the robot recognises v0 by the letters at its darts, without bearings.  But if for some
+        For the kinds in :data:`SEARCHED`, such as ``position`` and ``compass``, the result is the
+        attribute ``sensing`` of the lighthouse's Python class.  Under any other lighthouse the
+        robot recognises v0 by the letters at the darts of v0, without bearings.  But if for some
         degree of v0 all letters are 0, a v0 of this degree may look like another vertex; then the
         result names no vertex, and no formula assumes that v0 is recognised.
         """

@@ -98,9 +98,10 @@ def compiled_name(kind: type[Lighthouse], extent: Extent) -> str:
     lighthouse, if the extent has a condition or given maps, if the largest maps have too few edges
     to pay for compiling or more than the code can hold, or if the compiler is missing.
 
-    For some lighthouses compiled code makes the worlds of another one, whose name is returned, and
-    :func:`laid_out` changes the percepts: ``door`` stands for all lighthouses that show letters at
-    v0, and ``none`` for ``labels``.
+    For some lighthouses the compiled code makes the worlds with another lighthouse, and
+    :func:`laid_out` then changes the percepts.  In this case the name of the other lighthouse is
+    returned: ``door`` for every lighthouse that shows letters at v0, and ``none`` (the lighthouse
+    that shows degrees alone) for the lighthouse ``labels``.
     """
     name = Door.kind if issubclass(kind, SensedByBearing) else kind_of(kind)
     name = Nothing.kind if kind is Labels else name

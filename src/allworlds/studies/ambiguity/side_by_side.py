@@ -195,10 +195,10 @@ class Sensor(Struct):
 
         Args:
             edges: the number of edges of the largest maps.
-            places: a number that sensors with the same places have in common, and no others; only
-                such sensors are compared with each other.  It is the index, from 0 on, of the first
-                of them in the table.  Two sensors have the same places if their lighthouses can
-                stand at exactly the same places in every map.
+            places: the index, from 0 on, of the first sensor in the table that has the same places
+                as this sensor.  Two sensors have the same places if their lighthouses can stand at
+                exactly the same places in every map.  Only sensors with the same places, and so
+                with equal indices, are compared with each other.
         """
         first: dict[str, int] = {}
         fails, alike, roots = None, list[tuple[int, int]](), set[int]()
@@ -225,7 +225,11 @@ class Sensor(Struct):
 
 
 def _place(lighthouse: Any) -> list[Any]:
-    """The names and values of the fields that say where a lighthouse stands, whatever its kind."""
+    """Pairs (name, value) of the fields of a lighthouse that say where it stands.
+
+    The kind of the lighthouse is not in the pairs: two lighthouses of different kinds that stand at
+    the same place have equal pairs.
+    """
     return [
         (key, getattr(part, key))
         for part in kinds.parts_of(lighthouse)
@@ -292,7 +296,7 @@ def sensors(*lighthouses: kinds.GivenLighthouse, **asked: Any) -> AmbiguitySenso
 def worlds_of_level(
     request: ListenerOptions, extent: classes.Extent, edges: int, kind: kinds.LighthouseKind
 ) -> list[list[LitMap]]:
-    """The worlds of a level under one lighthouse, in batches.
+    """The worlds with ``edges`` edges under a lighthouse of this kind, in batches.
 
     The number of rooted maps is compared with that of an independent source.  The listener of
     ``request`` is told of the progress.

@@ -85,8 +85,10 @@ class Searched(doc.Document):
 class SearchResult(EndedReport, kw_only=True):
     """Report of 'search'.
 
-    If the user interrupted the search, the status is `unknown`; if twins had been found before, it
-    is `sat`.
+    The status is `sat` if twins were found, also if the user then interrupted the search. It is
+    `unsat` if there are no twins within the bounds. It is `unknown` if the search ended without an
+    answer: at the time limit, by an interruption, or because the solver gave none, or a proof that
+    was refused.
     """
 
     status: Annotated[Status, doc.about("`sat`: a pair; `unsat`: there is none in the bounds")]
@@ -242,8 +244,8 @@ def _fits(world: World, question: Question) -> bool:
 def search(request: SearchRequest) -> SearchResult:
     """Search for two different worlds that no motion tells apart, or show that there are none.
 
-    Two worlds are different if no isomorphism of their maps carries the marks of the first world to
-    the marks of the second; their starts are not compared.
+    Two worlds are different if no isomorphism of their maps preserves the percept at every dart.
+    The starts of the worlds are not compared.
 
     Raises:
         InputError: naming the offending value and what would be legal.

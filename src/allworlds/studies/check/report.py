@@ -176,10 +176,11 @@ Then the fingerprints of both lists are compared.
 def known_fingerprints(extent: classes.Extent, edges: int) -> dict[int, str]:
     """The known fingerprints of the maps with ``edges`` edges, in hexadecimal, by vertices.
 
-    A fingerprint is a number made from a map; for many maps it is the sum of their fingerprints.
-    Up to :data:`LISTED_EDGES` edges, code that the check does not use lists the maps once more.
-    For more edges, the fingerprints are those in a file of the package, which has them for each
-    class of maps; under a condition none are known.
+    A fingerprint is a number made from a map; the fingerprint of several maps is the sum of theirs.
+    Up to :data:`LISTED_EDGES` edges, the fingerprints are computed here: code that the check does
+    not use lists the maps once more, also under a condition.  For more edges, the fingerprints are
+    read from a file of the package, which has them for each class of maps.  The result is empty if
+    the file has none for this number of edges, or if the extent has a condition.
     """
     if edges <= LISTED_EDGES:
         return {n: f"{each:x}" for n, each in count_source.listed(extent, edges).items()}

@@ -69,8 +69,10 @@ class Confirmation(Struct, frozen=True):
 
         If a fresh process does not repeat a crash or a time-out, and the machine may be its cause,
         the finding becomes a remark, which refutes nothing.  If the machine cannot be the cause,
-        the finding becomes one of the law ``nondeterministic``.  The function ``known`` says which
-        findings stay as they are; None: no finding stays.
+        the finding becomes one of the law ``nondeterministic``.
+
+        A finding for which the function ``known`` returns true stays in the tally as it is, and is
+        not played again.  If ``known`` is None, every finding is played again.
         """
         kept, remarks = list[Finding](), list[str]()
         for found in tally.findings:

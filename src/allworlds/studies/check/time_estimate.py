@@ -137,10 +137,11 @@ def estimated(job: Job, engine: EngineKind) -> Guess:
 
 
 def one_larger(job: Job) -> classes.Extent | None:
-    """The job's class of maps with one more edge.
+    """The job's class of maps, with a bound on the edges that is larger by one.
 
-    None if the job has no bound on the edges, or if no map has one more edge.  None, too, if the
-    larger maps have more than :data:`COUNTABLE` edges, since counting so many maps takes long.
+    The smaller maps are still in the class.  The result is None if the job has no bound on the
+    edges, or if no map has as many edges as the new bound.  It is also None if the new bound is
+    larger than :data:`COUNTABLE`, since counting so many maps takes long.
     """
     extent = job.scope.extent
     if extent.edges is None or extent.edges >= COUNTABLE:

@@ -123,8 +123,9 @@ def compared(request: CompareRequest) -> Comparison | Growth:
 def compare(*explorers: str | Callable[..., Any], **options: Any) -> Comparison | Growth:
     """Run explorers in the same worlds, judge every run, and compare their costs.
 
-    With ``to`` the worlds grow: explorers run in a few members of each size of each family, and one
-    explorer is enough.
+    The options are those of :class:`CompareRequest`.  If the option ``to`` is given, the largest
+    number of edges, explorers run in worlds that grow: in some members of each size of each family
+    that the option ``family`` names.  Then one explorer may be given; otherwise at least two.
 
     Raises:
         InputError: naming the offending option and what would be legal.
@@ -323,7 +324,7 @@ def row_of(
 
 
 def _mean(costs: Mapping[int, int]) -> Fraction:
-    """The mean cost over the places of a lighthouse."""
+    """The mean cost of the runs; ``costs`` has the cost of each run, by the lighthouse's place."""
     return Fraction(sum(costs.values()), len(costs))
 
 

@@ -48,8 +48,9 @@ def _families(given: object) -> tuple[str, ...] | None:
 class ContestWorldsOptions(selection.WhereOptions, GivenOptions, classes.ExtentOptions):
     """The part of a request that names the worlds in which explorers are compared.
 
-    With ``to`` the worlds are some of each size of growing families; otherwise they are all worlds
-    of a class, or given worlds, or one world of a family.
+    If the option ``to``, a largest number of edges, is given, the worlds grow: they are worlds of
+    one or more families, in several sizes, and for each size some members of the family.  Otherwise
+    they are all worlds of a class, or given worlds, or one world of a family.
     """
 
     family: Annotated[
@@ -537,9 +538,9 @@ class Contest(sweep.Sweep[CostsOfAll, Answer]):
     def conclude(self, ending: outcome.Ending) -> outcome.Ending | None:
         """Confirm the findings of all explorers.
 
-        If there are findings, and ``ending`` is final, return :class:`Completed`: a job that was
-        stopped because a law is broken counts as completed.  Otherwise return None: the job ends
-        with ``ending``.
+        If there are findings, and ``ending.final`` is true (the same job would do nothing more if
+        it began again), return :class:`Completed`: a job that was stopped because a law is broken
+        counts as completed.  Otherwise return None: the job ends with ``ending``.
         """
         for (_, number), tally in sorted(self._found.items()):
             one, limits = self.entrants[number], self.request.limits

@@ -198,7 +198,7 @@ class GrownWorld(doc.Document):
 
 
 class GrowRow(doc.Document):
-    """Costs of an explorer in the members of a family of one size."""
+    """Costs of an explorer in the members of a family that have one size."""
 
     family: Annotated[doc.Text, doc.about("as it was asked for")]
     edges: Annotated[doc.Positive, doc.about("the edges of the first member")]
@@ -219,12 +219,12 @@ class GrowRow(doc.Document):
 
     @doc.computed
     def places(self) -> doc.Positive:
-        """The number of places of the lighthouse in these worlds."""
+        """The number of places of the lighthouse in a member, summed over the members."""
         return sum(one.places for one in self.members)
 
     @doc.computed
     def runs(self) -> doc.Positive:
-        """The number of runs: one for each chosen place of the lighthouse in each world."""
+        """The number of runs: one for each chosen place of the lighthouse in each member."""
         return sum(len(one.costs) for one in self.members)
 
     @doc.computed

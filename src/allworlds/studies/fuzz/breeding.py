@@ -99,10 +99,11 @@ def bred(
 ) -> Iterator[NumberedRun]:
     """Breed worlds in which the explorer runs its rarest lines; yield those where it breaks a law.
 
-    The explorer is run in the first draws of the block, and its lines are traced; then it is run,
-    generation by generation, in mutants of worlds in which it ran one of its rarest lines.  The
-    bred worlds depend on the explorer and on these draws alone.  If the player dies, or is silent
-    for too long, breeding ends.
+    The draws of ``unit`` are the first draws of a block, that is, of :data:`DRAWS_PER_BLOCK` draws.
+    The explorer is run in these draws, and its lines are traced; then it is run, generation by
+    generation, in mutants of worlds in which it ran one of its rarest lines.  The bred worlds
+    depend on the explorer and on these draws alone.  If the player dies, or is silent for too long,
+    breeding ends.
 
     These runs have a step budget of their own, :data:`TRAVERSALS_TRACED`, in place of that of the
     rules.  So an explorer that breaks a law here may break none under the rules.  The caller must
@@ -110,10 +111,10 @@ def bred(
 
     Breeding helps to find slips (mistakes in an explorer) behind nested conditions.  It was
     compared with plain draws, that is, with random worlds alone.  For slips behind four nested
-    conditions, 48 searches of each kind were made in worlds with up to 60 edges: 4 searches with
-    256 plain draws found a slip, and 14 searches with 64 draws and 192 bred worlds.  In worlds with
-    up to 12 edges, one such slip was searched for with 8 seeds: breeding found the slip with 7 of
-    the seeds, and 448 plain draws found it with 1 seed.
+    conditions, 48 searches of each kind were made in worlds with up to 60 edges: a slip was found
+    by 4 of the 48 searches with 256 plain draws, and by 14 of the 48 searches with 64 draws and 192
+    bred worlds.  In worlds with up to 12 edges, one such slip was searched for with 8 seeds:
+    breeding found the slip with 7 of the seeds, and 448 plain draws found it with 1 seed.
 
     Breeding prefers worlds in which rare lines ran.  Two other preferences were tried: worlds in
     which the explorer had a high cost, and worlds in which a wrong hypothesis of the explorer was

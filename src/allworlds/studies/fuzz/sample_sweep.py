@@ -94,11 +94,16 @@ def fuzz(request: FuzzRequest) -> CheckReport:
 
     The report is about a sample: its verdict is at best ``not-refuted``, and it is never complete.
     The sample depends on the class, ``where``, ``edges``, ``min_edges``, ``mix``, ``runs`` and
-    ``seed`` alone.  A few small worlds are tried first; the search ends there if the explorer walks
-    for ever.  Otherwise the search ends after the first 16, 64, 256, ... runs if one of these
-    refutes the explorer.  Shrinking starts at the smallest refuting world, and may reach a world
-    with fewer than ``min_edges`` edges; it ends at the time limit.  For an explorer in Python,
-    worlds are also bred from the random worlds: see :func:`bred`.
+    ``seed`` alone.
+
+    A few small worlds are tried first.  If the explorer breaks the law ``budget`` there, the search
+    ends; runs in small worlds that break another law do not count.  Then come the random worlds.
+    After 16, 64, 256, ... runs, the search ends if any run so far has refuted the explorer;
+    otherwise it goes on, up to ``runs`` runs.  For an explorer in Python, worlds are also bred from
+    the random worlds: see :func:`bred`.
+
+    Shrinking starts at the smallest refuting world, and may reach a world with fewer than
+    ``min_edges`` edges; it ends at the time limit.
 
     Raises:
         InputError: naming the offending option and what would be legal.
