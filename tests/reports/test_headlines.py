@@ -186,7 +186,7 @@ def test_lines_that_run_in_a_refuting_run_alone_are_told_up_to_a_number():
     code = SimpleNamespace(source=str, alone=["a:1", "a:2", "a:3"], right=1, steps=(), busy=())
     finding = SimpleNamespace(code=code, believed=None, law="crash", detail="")
     told = dict(_lines(finding, None))
-    only = "a:1; a:2; a:3 (1 run that broke no law did not get there)"
+    only = "a:1; a:2; a:3 (not run in 1 run that broke no law)"
     assert told["only here"] == only
     code.alone.append("a:4")
     assert len(code.alone) == MOST_LINES + 1

@@ -303,7 +303,7 @@ def _lines(finding: Finding, step: int | None) -> Iterator[tuple[str, str]]:
         if (more := len(code.alone) - MOST_LINES) > 0:
             lines.append(f"{words.plural(more, 'other line')}: --json lists them")
         runs = words.plural(code.right, "run")
-        yield "only here", f"{'; '.join(lines)} ({runs} that broke no law did not get there)"
+        yield "only here", f"{'; '.join(lines)} (not run in {runs} that broke no law)"
     if code.busy:
         yield "ran most", "; ".join(code.source(where) for where in code.busy[:2])
 
