@@ -3,10 +3,10 @@
 A paper's ledger is a folder with two files; the verb ``ledger`` checks it, and ``init --ledger``
 begins one.  ``ledger.toml`` lists *claims*, which are sentences of the paper that can be checked.
 The user's own file ``claims.py`` has a function for each claim, and imports from this module,
-``allworlds.claims``.  The function of a claim takes a :class:`Means`, and the bounds that
-``ledger.toml`` gives for this claim, as keywords.  The function returns a :class:`Found` or a
-:class:`NotChecked`.  In this example :func:`of_check` makes a :class:`Found` from the report of a
-check::
+``allworlds.claims``.  The function of a claim takes a :class:`Means`, which says how many workers
+and how much work the function may use, and as keywords the bounds that ``ledger.toml`` gives for
+this claim.  The function returns a :class:`Found` or a :class:`NotChecked`.  In this example
+:func:`of_check` makes a :class:`Found` from the report of a check::
 
     def map_and_pose(means, *, edges):
         return of_check(check("algorithm1", edges=edges, workers=means.workers))

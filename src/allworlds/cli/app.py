@@ -227,8 +227,8 @@ def _invoked(arguments: list[str], defaults: Defaults) -> int:
     """Run the verb that ``arguments`` name, and return its exit code.
 
     ``arguments`` are the words of the command, without the program's name; ``defaults`` are the
-    defaults from the user's file.  Click's own ``main`` is not used for two reasons: at a broken
-    pipe it exits with 1, which means ``refuted`` in this program; and it handles interrupts.
+    defaults from the user's file.  Click's own ``main`` is not used, because at a broken pipe and
+    at an interrupt it exits with 1, which means ``refuted`` in this program.
     """
     first = next((word for word in arguments if not word.startswith("-")), "")
     # A file's defaults are compared with the options of every verb.

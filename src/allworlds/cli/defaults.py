@@ -43,9 +43,10 @@ class Defaults:
     def map_for(self, root: Any, words: list[str]) -> dict[str, Any]:
         """The defaults of the verb that ``words`` name, in the form of click's ``default_map``.
 
-        That form is a dictionary from click's name of each option to its default, in an outer
-        dictionary for each word of the verb's name.  The result is empty if the file gives no
-        defaults.
+        An example of this form is ``{"ambiguity": {"twins": {option: default}}}``: each word of the
+        verb's name is the key of a dictionary.  The innermost dictionary leads from click's name of
+        an option to a function that returns the default, and adds it to :attr:`used`.  The result
+        is empty if the file gives no defaults.
 
         Args:
             root: the click command ``allworlds``, made by ``command_line``.  If the file gives any
@@ -136,11 +137,15 @@ def _table(file: str, text: str, name: str) -> dict[str, Any] | None:
 
 
 def _flat(table: Mapping[str, Any], group: str = "") -> Iterator[tuple[str, Any]]:
-    """Yield pairs of a name and a value: the entries of a table of defaults.
+    """Yield the entries of a table of defaults, as pairs of a name and a value.
 
-    The table of a group of verbs has a table for each verb.  In place of the group's table the
-    tables of its verbs are yielded, each under the verb's whole name of two words.  ``group`` is
-    the text to put before each name: the group's name and a space, or an empty text.
+    An entry for a group of verbs, such as ``{"ambiguity": {"twins": defaults}}``, is replaced by
+    one pair for each verb of the group: ``("ambiguity twins", defaults)``.
+
+    Args:
+        table: the table.
+        group: the text to put before each name; the function sets it when it calls itself for the
+            verbs of a group.
     """
     for key, value in table.items():
         inner = isinstance(value, dict) and any(isinstance(each, dict) for each in value.values())

@@ -284,8 +284,8 @@ def answered(function: Callable[..., Answer], request: Any, output: OutputGroup)
         output: the options for the output.
 
     Raises:
-        InputError: naming the option ``by``, if it is given and no file of CSV or Parquet is
-            written.
+        InputError: if the request has a value for the option ``by``, which says whether a row of a
+            CSV or Parquet file is about a size, a world or a run, and no such file is written.
     """
     from allworlds.studies.swept import RowOptions
 
@@ -360,8 +360,9 @@ def prepare_streams() -> None:
 
     The caller may have closed a stream before the start.  The next file that is opened would then
     get the number of this stream, and texts for the stream would go into that file.  So the null
-    device is opened in place of a closed stream: texts for stderr are dropped; to write to stdout
-    is an error, because nobody would get the report.
+    device is opened in place of a closed stream.  In place of stderr it is opened for writing, and
+    texts are dropped.  In place of stdout it is opened for reading only, so that writing a report
+    that nobody would get raises an error.
     """
     for number, stream in enumerate((sys.stdin, sys.stdout, sys.stderr)):
         if stream is None:
@@ -418,8 +419,8 @@ class Progress(Listener):
     def level(self, edges: int, worlds: int) -> None:
         """Begin the bar of a level, which is all worlds with ``edges`` edges.
 
-        ``worlds`` is the number of these worlds; in a shard, an estimate of the number of those of
-        them that the shard does.
+        ``worlds`` is the number of these worlds.  In a shard, which does only a part of the level,
+        ``worlds`` is an estimate of the number of worlds in this part.
         """
         self.stage(f"edges {edges}", worlds, "worlds")
 

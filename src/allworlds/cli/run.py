@@ -26,10 +26,10 @@ from allworlds.world.named import names_of_worlds, world_named
 
 
 class RunWords(ProgramWords):
-    """The arguments and options of ``run`` that only the command line has.
+    """The arguments and options of ``run`` that differ from those of :func:`allworlds.run`.
 
-    Some of them name the explorer and its world.  For the others the function
-    :func:`allworlds.run` has no argument.
+    Some of them name the explorer and its world, for which the function has arguments of another
+    form.  For the others, such as ``--pdb``, the function has no argument.
     """
 
     arguments: Annotated[

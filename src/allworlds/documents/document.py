@@ -199,10 +199,10 @@ def with_options(*parts: type[Any]) -> Callable[[type[T]], type[T]]:
 
 
 def _default_of_key(one: Field) -> Any:
-    """The value of the key for an option if a document that is read lacks this key.
+    """The value that an option's key gets if the document that is read does not have this key.
 
-    ``one`` is the field of a request to which the option belongs.  The result is NODEFAULT if every
-    document must have the key.
+    ``one`` is the request's field for this option.  The result is NODEFAULT if every document must
+    have the key; a document without the key is then an error.
     """
     if IF_ANY in getattr(_type_of_key(one), "__metadata__", ()):
         return None
@@ -212,7 +212,7 @@ def _default_of_key(one: Field) -> Any:
 def _type_of_key(one: Field) -> Any:
     """The type of the key that documents have for an option, annotated with the key's meaning.
 
-    ``one`` is the field of a request to which the option belongs.
+    ``one`` is the request's field for this option.
     """
     from allworlds.inputs.requests import Option  # which players do not need
 

@@ -42,7 +42,10 @@ def register(load: Callable[[], Writers]) -> Callable[[], Writers]:
 
 @cache
 def writers() -> Writers:
-    """The writers, which the function registered last has loaded at the first call."""
+    """Return the writers.
+
+    The first call loads the writers: it calls the function that :func:`register` got last.
+    """
     return _registered[-1]()
 
 

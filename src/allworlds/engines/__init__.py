@@ -4,7 +4,7 @@ The way of a run of a user's explorer::
 
     unit ---> player A, in worlds ---> log ---> judge ---> tally, findings
                                                   |
-                                                  v  percepts, in a drawn order
+                                                  v  percepts, runs in random order
               player B, another process and hash seed ---> the same log?
 
 A *job* is one call of a verb with many runs, such as a check.  A *level* of a job is all worlds
@@ -17,7 +17,8 @@ batch), ``Log`` (played), ``Episode`` (the log, followed in the world), ``Outcom
 it is counted, and becomes a ``Finding`` if it breaks a law.  For compiled built-in explorers there
 are no players and no logs: the kernel plays and judges their runs in threads.
 
-The modules, in this order; ``protocol.playing`` and ``log`` make and read logs:
+The modules of this package (logs are made and read outside of it, by ``protocol.playing`` and
+``log``):
 
 ``units``
     the scope of a check; the units of a level, and the shards to which the units are dealt;

@@ -115,10 +115,10 @@ class Across:
         begun: whether the plays have begun.
         found: a dictionary from the index of each run that refutes the explorer to the outcome of
             the run.
-        odd: pairs of the index of a run whose two logs differ, and the log of its second play.  For
-            these runs the caller must find out the cause, which may be the hash seeds.  The list is
-            empty before :meth:`settle`, and if :meth:`settle` finds that earlier runs are the cause
-            of a difference: then the outcome in ``found`` names them.
+        odd: a list of pairs: the index of a run whose two logs differ, and the log of its second
+            play.  For these runs the caller must find out the cause, which may be the hash seeds.
+            The list is empty before :meth:`settle`.  It is also empty if :meth:`settle` finds one
+            run that is changed by earlier runs: this run, whose outcome is in ``found``, is enough.
     """
 
     def __init__(
@@ -133,7 +133,9 @@ class Across:
         self.odd: list[tuple[int, Log]] = []
 
     def begin(self, known: Mapping[AtPlace, FirstLog]) -> None:
-        """Begin the plays of the runs of this unit, once the units that count these runs are done.
+        """Begin the plays of the runs of this unit.
+
+        The caller calls this method after the units that count these runs.
 
         Args:
             known: runs in small worlds with their logs, by the map and the place of the run.  One
@@ -180,9 +182,9 @@ class Across:
     def hear(self, note: Callable[[Work, Lost], None]) -> bool:
         """Read the logs that the players have sent; return whether all plays have ended.
 
-        If a player is lost in a run, a fresh player plays this run, see :meth:`_is_repeated`.  If
-        the fresh player is lost, too, both plays end here.  If not, the loss is reported to
-        ``note``, and a new player plays all runs in the same order.
+        If a player is lost in a run, fresh players play this run again.  If :meth:`_is_repeated` is
+        then true, both plays end here.  If not, the loss is reported to ``note``, and a new player
+        plays all runs in the same order.
 
         Args:
             note: the function to call with the unit and the loss, after a loss that no fresh player
@@ -209,11 +211,16 @@ class Across:
             play.end()
 
     def _is_repeated(self, play: _Play, player: Any, lost: Lost) -> bool:
-        """Whether a fresh player is also lost in the run in which the player of ``play`` was lost.
+        """Whether fresh players show that the loss of a player was no accident.
 
-        ``player`` is that player, and ``lost`` is its loss.  The fresh player plays the run alone,
-        or after runs that came before this run in ``play``.  If earlier runs cause the loss, the
-        outcome that names these runs is added to :attr:`found`.
+        The result is True in two cases.  First: some of the runs that came before the run in
+        ``play`` change the log of the run; then the outcome that names these earlier runs is added
+        to :attr:`found`.  Second: a fresh player that plays the run alone is lost in the same way.
+
+        Args:
+            play: the play in which the player was lost.
+            player: this player, which knows the position of the run in which it was lost.
+            lost: the loss.
         """
         position = player.beat[0]
         if player.description is None or not 0 <= position < len(play.order):
@@ -287,9 +294,10 @@ class Across:
     def _unlike(self, forwards: Sequence[bytes]) -> dict[int, int]:
         """Find the runs whose logs in the second play differ from their logs in ``forwards``.
 
-        Item i of ``forwards`` is a log of run i.  The second play may hold two logs of a run.
-        Return a dictionary from the index of each such run to a position in the second play: the
-        position of the run's first log that differs.
+        Item i of ``forwards`` is a log of run i.  The second play may hold two logs of the same
+        run; the run is found if one of these two logs differs from item i.  Return a dictionary
+        from the index of each run that is found to a position in the second play: the position of
+        the run's first log that differs.
         """
         second, found = self._plays[1], dict[int, int]()
         assert second.logs is not None

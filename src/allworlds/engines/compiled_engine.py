@@ -147,8 +147,8 @@ def compare_engines(scope: Scope, subject: Subject) -> None:
 
     A world is small if it has at most :func:`compared_to` edges.  If the scope has a level in which
     one walk counts for all bearings, the kernel also walks each small map once, and computes from
-    this walk the counts for all bearings.  They must equal the sums over the kernel's runs, one for
-    each bearing.
+    this walk the map's counts for all bearings.  These counts must equal those that the kernel gets
+    by playing a run for each bearing in this map.
 
     Raises:
         EnginesDisagree: naming the first world in which the results differ.

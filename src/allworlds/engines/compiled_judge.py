@@ -259,7 +259,11 @@ class CompiledJudge:
 def _entries(
     batch: CompiledBatch, indices: Indices, around: Iterable[bytes]
 ) -> list[tuple[Any, ...]]:
-    """The entries of a message to a player, one for each run, as :class:`PythonJudge` makes them.
+    """The entries of a message to a player, one for each run.
+
+    An entry is a tuple of six values, of the same meaning as in :meth:`PythonJudge._entry`: the
+    item of ``around``; the number that the lighthouse tells before the start, or None; False; the
+    step budget; an empty name; an empty script.
 
     Args:
         batch: the batch.

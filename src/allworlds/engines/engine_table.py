@@ -364,13 +364,13 @@ EngineName: TypeAlias = Annotated[str, one_of(*ENGINES)]
 
 
 def why_not_compiled(scope: Scope, subject: Subject, memory: int | None = None) -> str:
-    """The reason why a large check does not use the compiled engine, although the user expects it.
+    """The reason why a check cannot use the compiled engine, if the user must be told of it.
 
-    A check is large if its last level has at least :data:`COMPILED_FROM` edges.  The user expects
-    the compiled engine in two cases: the explorer is a shared library; or the last level has more
-    than :data:`COMPILED_FROM` edges, and the engine could do the check if the package numba were
-    installed.  In all other cases the reason is empty, also if the engine is used, or if the user's
-    limit of the memory keeps compiled code out (:func:`_is_kept_out`).
+    The result is empty if the compiled engine can do the check, or if the user's limit of the
+    memory keeps compiled code out (:func:`_is_kept_out`).  Else let m be the number of edges of the
+    last level.  The user is told the reason in two cases: if the explorer is a shared library, and
+    m is at least :data:`COMPILED_FROM`; or if only the package numba is missing, and m is larger
+    than :data:`COMPILED_FROM`.  In all other cases the result is empty.
 
     ``memory`` is the limit of the address space in MB; None without a limit.
     """
@@ -386,8 +386,9 @@ def why_not_compiled(scope: Scope, subject: Subject, memory: int | None = None) 
 def _is_kept_out(subject: Subject, memory: int | None) -> bool:
     """Whether compiled code must not judge this explorer, because the user has limited the memory.
 
-    Compiled code needs hundreds of MB of address space.  The result is false for built-in explorers
-    and for shared libraries.  ``memory`` is the limit in MB; None without a limit.
+    Compiled code needs hundreds of MB of address space; so any limit keeps it out, however large
+    the limit is.  The result is always False for built-in explorers and for shared libraries.
+    ``memory`` is the limit in MB; None without a limit.
     """
     return memory is not None and subject.from_user and not subject.compiled
 

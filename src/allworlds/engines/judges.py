@@ -40,9 +40,11 @@ class Judges:
     def of(self, unit: units.UnitOfRuns) -> Judge:
         """The judge for a unit: the compiled judge, or the judge in Python.
 
-        The compiled judge judges units of levels with at least ``counter.compiled_from`` worlds,
-        once the code of this judge has been compiled; if the number is 0, the code is compiled at
-        once.  Before the first such unit both judges are compared.
+        Let N be ``compiled_from``, a number that the counter of the judge in Python holds; if N is
+        None, only the judge in Python judges.  The compiled judge judges a unit if its level, or
+        the next level of the check, has at least N worlds, and if the code of the compiled judge
+        has been compiled before.  If N is 0, this method waits for the compilation.  Before the
+        first such unit both judges are compared.
 
         Raises:
             EnginesDisagree: if the two judges count differently.

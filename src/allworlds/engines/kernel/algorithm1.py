@@ -305,7 +305,8 @@ def _add_vertex(robot, degree, marks, bearing):
     """Add a vertex to S, and its darts to U.
 
     ``degree``, ``marks`` and ``bearing`` are the percept that a robot is expected to get when it
-    arrives by one of these darts.
+    arrives by any of these darts.  At v0 the bearing depends on the dart, and :func:`begin`
+    corrects the bearings.
     """
     entry, v = robot.darts, robot.vertices
     for dart in range(entry, entry + degree):
@@ -467,7 +468,7 @@ def _search(robot, dart, action):
 
 @inner
 def _ask(robot, action):
-    """Begin the query: leave v0 by the dart that leads to v1 if the hypothesis is true."""
+    """Begin the query: leave v0 by a dart which, if the hypothesis is true, leads to v1."""
     towards = offset(robot, robot.pointed)
     robot.phase = ASKING
     action.kind, action.motion = names.MOVE, towards - robot.turned

@@ -27,9 +27,11 @@ def mixed(code, decision):
 
 @inner
 def fingerprint(world, alpha):
-    """The fingerprint of the rooted map, in which the darts of each vertex must be consecutive.
+    """The fingerprint of the map of ``world``, rooted at dart 0.
 
-    ``alpha`` is the array that holds for each dart the other dart of its edge.
+    The darts of each vertex must be consecutive.  ``alpha`` is the array that holds for each dart
+    the other dart of its edge; not every kind of ``world`` has a field of this name.  The arrays
+    ``world.number`` and ``world.order`` are overwritten.
 
     The twin, Python code with the same results: :func:`allworlds.maps.enumeration.fingerprint`.
     """

@@ -11,6 +11,10 @@ numbers, which are bit masks.  The arguments of a C function are 32-bit integers
 place of a pointer the caller gives a structured array (see the module ``arrays``), or the address
 as a 64-bit integer.  A C function returns nothing or a 32-bit integer.  With such arguments the
 call of a C function is the same on all platforms.
+
+A *builder* is an object of llvmlite that adds instructions to the code that is being compiled.  An
+argument ``builder`` or ``_context`` of a function below comes from numba: compiled code calls the
+function without this argument.
 """
 
 import gc
@@ -129,7 +133,10 @@ _NOT_EMPTY = ir.Constant(ir.IntType(1), 0)
 
 
 def _lowered(builder: Any, kind: Any, value: Any) -> Any:
-    """The value of an argument of type ``kind`` as C takes it: a pointer or a 32-bit integer."""
+    """The value of an argument of type ``kind`` as C takes it: a pointer or a 32-bit integer.
+
+    ``builder`` adds the instructions that convert the value to compiled code.
+    """
     if isinstance(kind, types.Record):
         return builder.bitcast(value, _POINTER)
     if kind == types.int64:
@@ -168,11 +175,11 @@ def ask(_context, address, arguments):
 
 
 def expression(function: Callable[..., Any]) -> Any:
-    """Make a function that compiled code can call, and whose values are 64-bit integers.
+    """Make a function that compiled code can call, from 64-bit integers to a 64-bit integer.
 
-    ``function`` builds the instructions of the new function.  Its arguments are the builder, which
-    adds instructions to compiled code, and the arguments of the new function; it returns the result
-    of the new function.
+    ``function`` is called while the caller of the new function is compiled, and adds the
+    instructions of the new function.  It takes the builder and the values of llvmlite that stand
+    for the new function's arguments; it returns the value that stands for the result.
     """
 
     @wraps(function)
@@ -186,7 +193,7 @@ def expression(function: Callable[..., Any]) -> Any:
 
 
 def number(value: int) -> Any:
-    """The value as a 64-bit constant in compiled code."""
+    """The constant of llvmlite that stands for this 64-bit integer in compiled code."""
     return ir.Constant(_LONG, value)
 
 
@@ -194,20 +201,27 @@ def number(value: int) -> Any:
 def lowest(builder, mask):
     """The least number in a nonempty set of numbers below 63.
 
-    Bit i of the mask says whether the number i is in the set.
+    Bit i of the mask says whether the number i is in the set.  Compiled code calls
+    ``lowest(mask)``, without the builder.
     """
     return builder.cttz(mask, _NOT_EMPTY)
 
 
 @expression
 def highest(builder, mask):
-    """The greatest number in a nonempty set; the set is a mask, like that of :func:`lowest`."""
+    """The greatest number in a nonempty set; the set is a mask, like that of :func:`lowest`.
+
+    Compiled code calls ``highest(mask)``, without the builder.
+    """
     return builder.sub(number(63), builder.ctlz(mask, _NOT_EMPTY))
 
 
 @expression
 def size(builder, mask):
-    """The number of elements of a set; the set is a mask, like that of :func:`lowest`."""
+    """The number of elements of a set; the set is a mask, like that of :func:`lowest`.
+
+    Compiled code calls ``size(mask)``, without the builder.
+    """
     return builder.ctpop(mask)
 
 
@@ -215,7 +229,8 @@ def size(builder, mask):
 def neighbours(graph, front):
     """The set of the neighbours of all vertices in the set ``front``.
 
-    The set of the neighbours of vertex v is ``graph.adjacent[v]``.
+    Sets are masks, like that of :func:`lowest`.  The set of the neighbours of vertex v is
+    ``graph.adjacent[v]``.
     """
     joined = 0
     while front:
@@ -234,20 +249,30 @@ def _at(builder: Any, address: Any, index: Any, kind: Any) -> Any:
 
 @expression
 def entry_of(builder, address, index):
-    """Entry ``index`` of the array of 32-bit integers at the address."""
+    """Entry ``index`` of the array of 32-bit integers at the address.
+
+    Compiled code calls ``entry_of(address, index)``, without the builder.
+    """
     return builder.sext(builder.load(_at(builder, address, index, _INT)), _LONG)
 
 
 @expression
 def put_entry(builder, address, index, value):
-    """Write entry ``index`` of the array of 32-bit integers at the address; return the value."""
+    """Write ``value`` to entry ``index`` of the array of 32-bit integers; return ``value``.
+
+    ``address`` is the address of the array.  Compiled code calls
+    ``put_entry(address, index, value)``, without the builder.
+    """
     builder.store(builder.trunc(value, _INT), _at(builder, address, index, _INT), align=1)
     return value
 
 
 @expression
 def byte_of(builder, address, index):
-    """Byte ``index`` of the array at the address, as a number from 0 to 255."""
+    """Byte ``index`` of the array at the address, as a number from 0 to 255.
+
+    Compiled code calls ``byte_of(address, index)``, without the builder.
+    """
     return builder.zext(builder.load(_at(builder, address, index, _BYTE)), _LONG)
 
 

@@ -16,13 +16,15 @@ of the step budgets, which depend on the number of vertices.
 The first two conditions imply three laws: S is the explored part of W (invariant-1), U holds its
 unexplored darts (invariant-2), and S grows by an edge in each pass (variant).
 
-The law folding is met, too: it demands that the folded log is the whole map.  To fold a log,
-each step is first taken to lead to a new vertex.  Each vertex at which the robot has sensed v0 is
-then merged with v0, dart with dart.  If a dart now leads to two vertices, these two are merged,
-too, and so on.  When the robot joins two darts of U, it has walked along the tested path to v0.
-By the hypothesis this is a path in S.  So from v0 on, backwards along the path, each vertex that
-the robot has passed is merged with the vertex of S for which the hypothesis took it.  Hence the
-folded log has every edge of S, and at the end S, which is the answer, is all of W.
+The law folding is met, too.  This law demands that folding the log gives the whole map W.  Folding
+begins with a map in which each step of the log leads to a new vertex.  Then each vertex at which the robot has sensed v0 is merged with v0, dart with dart.  If a
+dart now leads to two vertices, these two are merged, too, and so on.
+
+The proof: the robot joins two darts of U only after a test that has led to v0.  The hypothesis
+names, for each vertex that the robot has passed in this test, a vertex of S.  The last vertex of
+the test is v0, and is merged with v0.  So the vertex before it is merged with the vertex that the
+hypothesis names, because the same dart of v0 leads to both; and so on, back to the first vertex of
+the test.  Hence the folded log has every edge of S.  At the end of the walk S is all of W.
 
 ``w`` is the state of the check, an array ``WALK``.  ``s`` is the part of ``w`` that is copied
 before each decision, so that the walk can go back to the decision.  ``w.choices`` is a stack of
