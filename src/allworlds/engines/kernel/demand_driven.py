@@ -17,8 +17,9 @@ The first two conditions imply three laws: S is the explored part of W (invarian
 unexplored darts (invariant-2), and S grows by an edge in each pass (variant).
 
 The law folding is met, too.  This law demands that folding the log gives the whole map W.  Folding
-begins with a map in which each step of the log leads to a new vertex.  Then each vertex at which the robot has sensed v0 is merged with v0, dart with dart.  If a
-dart now leads to two vertices, these two are merged, too, and so on.
+begins with a map in which each step of the log leads to a new vertex.  Then each vertex at which
+the robot has sensed v0 is merged with v0, dart with dart.  If a dart now leads to two vertices,
+these two are merged, too, and so on.
 
 The proof: the robot joins two darts of U only after a test that has led to v0.  The hypothesis
 names, for each vertex that the robot has passed in this test, a vertex of S.  The last vertex of
