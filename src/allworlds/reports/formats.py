@@ -36,7 +36,11 @@ WIDTH = 100
 
 
 def markdown(content: parts.ReportContent) -> str:
-    """A text in Markdown: the headline, sections with pictures, and the other sections folded."""
+    """A text in Markdown: the headline, then every section.
+
+    A section with a picture, a walk or a run is shown as plain text.  Of any other section the
+    tables are shown, the curves are left out, and a reader opens the rest by a click.
+    """
     head = [f"## {_plain(content.done)}: {_plain(content.subject)}"]
     if said := content.headline:
         named = content.done.partition(" ")[0]
@@ -131,7 +135,11 @@ def junit(content: parts.ReportContent) -> str:
 
 
 def _legal(text: str) -> str:
-    """The text with control characters as numbers; other characters illegal in XML are replaced."""
+    """The text in a form that XML allows.
+
+    Each control character or invisible character becomes its number, such as ``\\x1b``; any other
+    character that is illegal in XML becomes U+FFFD.  Tabs and line ends stay.
+    """
     return _FORBIDDEN.sub("\N{REPLACEMENT CHARACTER}", words.escaped(text))
 
 
@@ -181,8 +189,10 @@ def _at(
 ) -> SourceLine | None:
     """The line of the user's code to which a finding belongs.
 
-    For one robot this is the first wrong line, for a team the line of the program that is to blame.
-    If this line is unknown, or its file is not inside the repository, ``source`` is returned.
+    For one robot the line is that of the explorer's error, or of its first wrong step, checkpoint
+    or end.  For a team the line is the one where the program begins that breaks the law, or the
+    program of robot 0 if no single program breaks the law.  If this line is unknown, or its file is
+    not inside the folder ``root``, ``source`` is returned.
     """
     if not isinstance(finding, Finding):
         blamed = place_of_explorer(finding.programs[finding.robot or 0])
@@ -196,7 +206,11 @@ def _at(
 
 
 def _escaped(text: str, more: str = "") -> str:
-    """The text with per cent signs, line ends and the characters of ``more`` as numbers."""
+    """The text in the form that commands of GitHub's runner need.
+
+    Per cent signs, line ends and the characters of ``more`` become their hexadecimal numbers, such
+    as ``%25``.
+    """
     return "".join(f"%{ord(sign):02X}" if sign in "%\r\n" + more else sign for sign in text)
 
 
@@ -310,7 +324,10 @@ def _source_of_check(root: Path) -> SourceLine | None:
 
 
 def _project(explorer: str) -> tuple[Path, SourceLine | None]:
-    """The root of the repository; and, if the explorer's file is in it, the line of its code.
+    """The root of the repository, and the line where the explorer begins.
+
+    ``explorer`` is the explorer as the user named it.  The line is None if it is unknown, or if its
+    file is not inside the root.
 
     The root is the folder of the git repository in which the current folder is, or else of the
     repository in which the explorer is. Without a repository it is the folder that a CI service
@@ -384,9 +401,9 @@ class Format(Struct, frozen=True):
             ``FORMAT:`` before the name.
         shows: the kinds of content that the format can show; the module ``verbs`` names them.
             Verbs whose reports have one of these kinds can write the format; empty: all verbs can.
-        library: three words about a library that the format needs: its import name, the extra of
-            this package that installs it, and the words for a refusal without it.  None: no library
-            is needed.
+        library: three texts about the library that the format needs: the import name, the extra of
+            this package that installs the library, and the words for the file, with which the error
+            begins if the library is not installed.  None: no library is needed.
         summary: the environment variable with the name of a file to which a CI service wants the
             report added by default; empty if there is none.
         read_by: the environment variable that tells that a CI service reads the format on stderr;
@@ -433,9 +450,10 @@ def latex_rows(content: parts.ReportContent) -> str:
 
 
 def lone_picture(content: parts.ReportContent) -> str:
-    """The picture of the only map as SVG; without a map, the curve.
+    """The picture of the report's only map as SVG; without a map, the report's first curve.
 
-    The picture is empty if there is no curve either, because there are fewer than two sizes.
+    A curve shows values by the size of maps.  If the report has no curve either, the picture is
+    empty.
 
     Raises:
         InputError: if there are several maps.

@@ -44,9 +44,11 @@ class Scene(Struct, frozen=True):
         marks: the number of markers at each vertex with markers, by the vertex's index in
             ``map.vertices``.
         pointed: the pointed darts, to which bearings are counted.
-        labels: a short text for each dart, such as its class; None without labels.
+        labels: a short text for each dart, such as the letter of its class in a bisimulation; None
+            without labels.
         walked: the darts by which the robot has arrived.
-        ringed: the dart with a ring round its number; None without a ring.
+        ringed: the robot's dart at the first step at which the walk diverges from the walk in
+            another picture, a dart that pictures mark with a ring; None without a ring.
         darts: the names of the darts; empty if the names are their numbers.
         vertices: the names of the vertices; empty if the names are ``v0``, ``v1``, and so on.
         positions: the positions of the vertices; empty if these are not given.
@@ -391,11 +393,12 @@ class ShownWalk(Struct, frozen=True):
         views: the pictures.
         sentences: sentences about the walk.
         elsewhere: the percepts of the same motions in another map; None if nothing is compared.
-        agreement: the number of steps, the start counted as one, before the walks in the first two
-            views diverge.  At these steps the robot's darts in the two maps correspond; from these
-            pairs a page finds further pairs.  It gives the darts and vertices of the second map the
-            names of their partners in the first map, and also their positions if the maps turn out
-            to be the same or mirror images.  None if each map is drawn by itself.
+        agreement: the number of darts at the beginning of the trails of the first two views before
+            the walks diverge; this is the index of the first step at which they diverge, if the
+            start is step 0.  A page pairs these darts of the two maps, and then further darts that
+            follow from the pairs.  In the page a dart or vertex of the second map has the name of
+            its partner in the first map; if the maps are the same or mirror images, a vertex has
+            its partner's position, too.  None if each map is drawn by itself.
         parting: the step at which the explorer is first seen to be wrong, because the walk in its
             answer contradicts the world, or because its checkpoint is wrong; else None.
         tour: whether the walk has the only purpose to go along every edge; then a text shows only
@@ -558,8 +561,8 @@ class ReportContent(Struct, frozen=True):
         result: the result of the verb.
         headline: the answer in a sentence; None if the content consists of sections alone.
         sections: the sections, in the order of reading.
-        whole: further sections, which a terminal shows only under the option ``-v``; none if the
-            content has ``short`` facts.
+        whole: further sections, which a terminal shows only under the option ``-v``.  A content has
+            either ``whole`` or ``short``, or neither.
         more: a function that makes sections with walks to step through, for pages alone; it may
             play runs again.
         rows: a function that makes the rows of a CSV file; None: the steps of the first walk.
@@ -570,9 +573,10 @@ class ReportContent(Struct, frozen=True):
         page: a function that makes the page; None: a page of these sections.
         apart: the keys of the result's JSON document that a page leaves out of its copy of the
             document, because sections on the page have their values as a :class:`DataRecord`.
-        short: pairs of a name and a sentence of one line; without the option ``-v`` a terminal
-            shows these facts in place of the last section.
-        laws: the laws that a finding may break, each with its sentence.
+        short: facts that a terminal shows in place of the last of ``sections``, unless the option
+            ``-v`` is given: pairs of a name and a sentence of one line.
+        laws: a dictionary from the name of each law that a finding may break to a sentence about
+            what the law requires.
     """
 
     done: str

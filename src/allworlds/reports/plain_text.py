@@ -58,16 +58,15 @@ def content_text(content: parts.ReportContent, width: int) -> str:
 def on_terminal(content: parts.ReportContent, width: int, *, whole: bool) -> str:
     """The text of a content for a terminal.
 
-    If the content has a headline and short facts, the headline is the last line, and the text is
-    shortened to at most :data:`MOST` lines, unless ``whole`` is True.  The text of any other
-    content begins with its headline, and is never shortened.
+    If the content has a headline and short facts, the headline is the last line; and if ``whole``
+    is False, the text is shortened to at most :data:`MOST` lines.  The text of any other content
+    begins with its headline, and is never shortened.
 
     Args:
         content: the content.
         width: the number of characters of a line.
-        whole: whether the text is as long as under the option ``-v``: nothing is shortened, and the
-            sections ``content.whole`` are at the end.  A content with short facts has no sections
-            ``whole``; if it had some, they would not be shown.
+        whole: whether the text is that of the option ``-v``: nothing is shortened, and the sections
+            ``content.whole``, if there are any, are at the end.
     """
     if not content.short or content.headline is None:
         text, more = content_text(content, width), text_of(content.whole, width)
@@ -130,9 +129,10 @@ def _shortened(lines: Sequence[str], most: int) -> str:
 
 
 def content_line(content: parts.ReportContent, width: int) -> str:
-    """The answer in one line of any length; without a headline, the first line of the text.
+    """The headline in one line of any length; without a headline, the first line of the text.
 
-    Only this first line of the text is wrapped to ``width`` characters.
+    The lines of the text have at most ``width`` characters where possible; a headline may be
+    longer.
     """
     head = content.headline
     return head.line if head else content_text(content, width).partition("\n")[0]

@@ -89,8 +89,12 @@ def _broken_in_component(
 
     A run along a cycle that meets ``criteria`` breaks ``condition``.  If a robot is activated on
     the cycle, the broken law is ``progress``.  If only the world changes on the cycle, all robots
-    stand still for ever, and :meth:`Search.stopped` says which law is broken.  If that is no law, a
-    second cycle is tried, on which a robot is activated.
+    stand still for ever, and :meth:`Search.stopped` says which law is broken.  If ``stopped`` finds
+    no broken law, a second cycle is looked for, on which a robot is activated; if there is one, the
+    broken law is ``progress``, else None is returned.
+
+    ``component`` holds the numbers of the component's configurations, ``outgoing`` gives the
+    transitions that a cycle may use.
     """
     cycle = _cycle(search, component, criteria, outgoing)
     if not cycle:
@@ -122,11 +126,13 @@ def _holds(search: Search, condition: Liveness, number: int) -> bool:
 def _criteria_of(search: Search, condition: Liveness) -> Iterator[Criterion]:
     """The criteria for a cycle that breaks the condition: one criterion, or none.
 
-    If the condition must hold from some time on, a transition meets the criterion if the condition
-    does not hold before the transition.  If the condition is that no robot acts, a transition meets
-    the criterion if a robot acts in the transition.  There is no criterion if the condition must
-    hold again and again: then cycles are searched only among configurations in which the condition
-    does not hold, so every cycle breaks it.
+    There are three kinds of conditions:
+
+    - No robot acts from some time on: the cycle must have a transition in which a robot acts.
+    - A condition on states must hold from some time on: the cycle must have a transition from a
+      configuration in which the condition does not hold.
+    - A condition on states must hold again and again: there is no criterion.  The component has
+      only configurations in which the condition does not hold, so every cycle breaks the condition.
     """
     if condition.holds is None:
         yield lambda _before, index: bool(search.graph.has_action(index))

@@ -67,7 +67,11 @@ class RobotProgram(Protocol):
     """A program of robots that can be asked turn by turn."""
 
     def replies(self, turns: Sequence[NumberedTurn]) -> Sequence[bytes]:
-        """The program's reply in each turn, as :class:`allworlds.protocol.turns.Turns` gives it."""
+        """The program's reply in each turn: bytes that :func:`allworlds.protocol.turns.said` reads.
+
+        ``turns`` has only new turns.  The program remembers all turns of earlier calls, and the new
+        turns refer to them by number.  A generator's reply to the first turn of a history is empty.
+        """
 
 
 class Dialogue(Struct):
@@ -231,9 +235,10 @@ class Minds:
     def after(self, mind: int) -> int:
         """The mind that follows the mind ``mind`` once its action is done.
 
-        The result is ``mind`` itself for a generator, and for an automaton that has ended or whose
-        action is Watch, since its mind keeps the watched percept.  For any other automaton the
-        result is the mind with the same memory, and without a due action.
+        For a generator the result is ``mind`` itself, since an action adds nothing to a history.
+        For an automaton the result is the mind with the same memory, and without a due action, but
+        for two exceptions, in which the result is ``mind`` itself: the automaton has ended; or its
+        action is Watch, and the mind must keep the percept with which later ones are compared.
         """
         program = self._program_of[mind]
         stays = self.watches[mind] or type(self.value[mind]) is Ended
@@ -242,12 +247,13 @@ class Minds:
         return self._automaton(program, self._memory[mind], None, None)
 
     def precedes(self, mind: int, before: int) -> bool:
-        """Whether the next turn of a robot with the mind ``mind`` can be a turn after ``before``.
+        """Whether a robot with the mind ``mind`` can have a turn with the second number ``before``.
 
-        A turn is a :data:`allworlds.protocol.turns.NumberedTurn`, and ``before`` its second number.
-        For a generator this is the number of the turn that came before, which is also the number of
-        the mind after that turn; for an automaton it is the number of the memory before the turn.
-        BEGIN stands for the first turn of a history.
+        A turn is a :data:`allworlds.protocol.turns.NumberedTurn`.  Its second number is, for a
+        generator, the robot's mind before the turn; for an automaton, the number of the memory
+        before the turn.  For :data:`BEGIN`, the second number of the first turn of a history, the
+        result is True for the mind of a generator before its first percept, and for every mind of
+        an automaton whose due action is not Watch.
         """
         automaton = self.dialogues[self._program_of[mind]].automaton
         first = self.depth[mind] == 0 and self.sensed[mind] is None
@@ -280,8 +286,10 @@ def value_of(letter: str, words: Any) -> Any:
     Args:
         letter: the kind of the reply: ``ACTION``, ``ENDED`` or ``FAULT`` of
             :mod:`allworlds.protocol.turns`.
-        words: the action in the form of :func:`allworlds.protocol.turns.action_of`, or None for no
-            action; else the answer or the fault, as the last entry of a log.
+        words: what the reply says.  With the letter ``ACTION`` it is the action in the form that
+            :func:`allworlds.protocol.turns.action_of` reads, or None for no action; with the other
+            two letters the last entry of a log, see :class:`allworlds.log.Log`, which has the
+            answer or the fault.
     """
     if letter == ACTION:
         return None if words is None else action_of(words)

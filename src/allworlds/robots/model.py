@@ -202,8 +202,9 @@ class Places(NamedTuple):
 def every_start(map_: CombinatorialMap, robots: int) -> Iterator[tuple[Dart, ...]]:
     """Every start with robot 0 at dart 0, the root of the map, and the other robots at any darts.
 
-    ``robots`` is the number of robots.  A search goes through each map once for each root.  So each
-    way to place all robots in a map comes once.
+    ``robots`` is the number of robots.  The enumeration of maps yields each map with every dart as
+    the root, up to isomorphism.  So starts with robot 0 at other darts are not needed: they are the
+    starts in the same map with another root.
     """
     return ((0, *others) for others in product(map_.darts, repeat=robots - 1))
 

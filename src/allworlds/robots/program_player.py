@@ -99,8 +99,13 @@ class ProgramPlayer:
     def _after(self, lost: Lost, turns: Sequence[NumberedTurn]) -> list[bytes]:
         """The replies in all turns ``turns``, after the player was lost in one of them.
 
-        A new player takes this turn again; if the new player is lost, too, the reply is a fault.
+        The lost player has left the index of that turn.  A new player takes the turns before that
+        turn, then that turn alone; if the new player is lost in that turn, too, the reply is a
+        fault, and another player is started.  The player then takes the remaining turns.
         ``lost`` says how the first player was lost.
+
+        Raises:
+            Unsettled: if players are lost in too many turns.
         """
         at = min(max(0, self._player.beat[0]), len(turns) - 1)
         before = turns[:at]

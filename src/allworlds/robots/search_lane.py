@@ -45,10 +45,10 @@ class SearchLane:
 
     Args:
         team: the programs.
-        counter: the team, the model and the schedules of all searches; its methods make the
-            searches of a unit, and an empty tally, in which the results are counted.
+        counter: the scope of all searches: the team, the model and the schedules.  Its methods make
+            the searches of a unit, and an empty tally, in which their results are counted.
         limits: the limits of the time for an answer, and of memory.
-        first_lane: whether this is the first of all lanes; this has no effect here.
+        first_lane: not used; it is here because all lanes are made with the same arguments.
         deadline: the time, on the monotonic clock, after which the lane waits for no reply; or
             None.
     """

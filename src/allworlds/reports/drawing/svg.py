@@ -60,7 +60,11 @@ def tag(name: str, /, *children: Child, **attributes: str | float | None) -> ET.
 
 
 def record(document: object, /, **attributes: str) -> ET.Element:
-    """A block of data that holds a JSON document; no text in it can end the block."""
+    """A ``script`` element that holds a JSON document as data, for the scripts of the page.
+
+    The signs ``<``, ``>`` and ``&`` of the document are escaped, so no text in the document can end
+    the element.  ``attributes`` are further attributes of the element.
+    """
     text = harmless_json(json.dumps(document, indent=1))
     for sign in "<>&":
         text = text.replace(sign, f"\\u{ord(sign):04x}")
@@ -192,9 +196,11 @@ def in_words(scene: Scene) -> str:
 
 
 def _edge(scene: Scene, drawn: Layout, dart: Dart) -> Iterator[ET.Element]:
-    """The elements of an edge.
+    """The elements of the edge to which ``dart`` belongs.
 
-    Where the edge crosses edges that are drawn before, elements that make gaps in them come first.
+    Before the line of the edge come its bridges: short pieces in the colour of the paper, one for
+    each crossing on this edge.  A bridge makes a gap in the crossing edge if that edge is already
+    drawn.
     """
     other = scene.map.alpha[dart]
     walked = dart in scene.walked or other in scene.walked
@@ -271,7 +277,10 @@ def _flag(along: complex, far: float) -> ET.Element:
 
 
 def _number(scene: Scene, dart: Dart, point: complex) -> ET.Element:
-    """The dart's number around ``point``: in a box at the start, on a disc at the robot."""
+    """The dart's number, with the dart's label and marks, centred at ``point``.
+
+    The start dart has its number in a box, the robot's dart on a disc.
+    """
     text: list[Child] = [scene.dart_names[dart]]
     colour = ""
     if scene.labels is not None:
@@ -298,14 +307,21 @@ def _number(scene: Scene, dart: Dart, point: complex) -> ET.Element:
 
 
 def _width(scene: Scene, dart: Dart) -> float:
-    """The width in pixels of the dart's number, with the dart's label and marks."""
+    """The width in pixels of the text at a dart: name, and label and marks if there are any.
+
+    The marks are the number that ``scene.letters`` has for the dart.
+    """
     letters = "" if scene.labels is None else scene.labels[dart]
     marks = f"●{scene.letters[dart]}" if dart in scene.letters else ""
     return 4.0 + 7.0 * len(scene.dart_names[dart] + letters + marks)
 
 
 def _clockwise(along: Sequence[complex]) -> ET.Element:
-    """An arrow that turns clockwise, in the middle of the widest gap between two darts."""
+    """An arrow round a vertex that shows the clockwise direction.
+
+    ``along`` holds the directions of the vertex's darts.  The arrow is in the middle of the widest
+    gap between two of these darts.
+    """
     # Rounded: the last bits differ between machines, and must not choose between equal gaps.
     angles = sorted(round(phase(each) + pi, 6) % round(tau, 6) - pi for each in along)
     gaps = [(b - a, a) for a, b in pairwise([*angles, angles[0] + tau])]

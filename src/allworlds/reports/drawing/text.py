@@ -128,9 +128,10 @@ def _signed(scene: Scene) -> dict[str, Sequence[Dart]]:
 def _groups(map_: CombinatorialMap, root: Dart) -> list[list[Dart]]:
     """The darts of each vertex, clockwise from the dart by which the vertex is found.
 
-    The vertices are found breadth first from ``root``.  The darts of a vertex are followed from the
-    last one to the first one.  So of the new vertices behind these darts, the one behind the last
-    dart comes first in the row, and the arcs to the new vertices are nested instead of crossing.
+    The vertices are in the order in which they are found, breadth first from ``root``.  At each
+    vertex the search tries the darts in the reverse of the order that the result has.  So, of
+    the new vertices behind the darts of one vertex, the one behind the last dart comes first in the
+    result, and in the drawing the arcs to these vertices are nested instead of crossing.
     """
     found = {map_.vertex_of[root]}
     groups = [_turned(map_, root)]

@@ -48,23 +48,24 @@ class Snapshot(Apart):
     """Robots that see the whole map from their own darts, with all robots in it.
 
     A view is ``[robots, degrees, alpha]``: the number of robots at each vertex, the degree of each
-    vertex, and the other end of each dart, see
-    :class:`allworlds.robots.models.views.ViewOrder`.  The robot's own vertex comes first, and the
-    robot itself is counted there.  On a ring ``robots`` has the numbers at successive vertices in
-    one direction.
+    vertex, and the other end of each dart.  The vertices and darts are numbered in the order of a
+    walk through the map, see :class:`allworlds.robots.models.views.ViewOrder`.  The robot's own
+    vertex comes first, and the robot itself is counted there.  On a ring ``robots`` has the numbers
+    at successive vertices in one direction.
 
     **Without chirality** robots cannot tell clockwise from anticlockwise.  The percept is a sorted
     list with a view from each dart of the robot's vertex.  From each dart there is a clockwise and
-    an anticlockwise view; the list has the smaller one.  ``Do(k)`` leaves by the dart of view k in
-    the list, from 0 on; ``Do("first")`` is ``Do(0)``, and ``Do("second")`` is ``Do(1)``.  If
-    several darts have this view, the adversary chooses one of these darts at each look.
-    ``Do("either")`` leaves by any dart that the adversary chooses.
+    an anticlockwise view; the list has the smaller one, in Python's order of lists.  ``Do(k)``
+    leaves by the dart of view k in the list, from 0 on; ``Do("first")`` is ``Do(0)``, and
+    ``Do("second")`` is ``Do(1)``.  If several darts have this view, the adversary chooses one of
+    these darts at each look.  ``Do("either")`` leaves by any dart that the adversary chooses.
 
     With chirality each robot has a heading, which is a dart of its vertex; at the start it is the
     robot's dart.  The percept is the clockwise view from the heading, and ``Do(k)`` leaves by the
-    k-th dart clockwise from the heading.  After the move the heading is the dart that is 1 - k
-    darts clockwise from the dart of arrival.  On a ring ``Do(0)`` leaves by the heading, and
-    ``Do(1)`` by the other dart; after both the heading points in the same direction as before.
+    k-th dart clockwise from the heading.  The new heading is found from the dart of arrival: first
+    one dart clockwise, then k darts anticlockwise.  On a ring ``Do(0)`` leaves by the heading, and
+    ``Do(1)`` by the other dart; after either of these moves the heading points in the same
+    direction round the ring as before.
 
     Attributes:
         goal: ``gather``: all robots must come to one vertex, and stay there; ``explore``: each

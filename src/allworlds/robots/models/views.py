@@ -65,9 +65,11 @@ class Eyes(NamedTuple):
     def view(
         self, map_: CombinatorialMap, darts: Sequence[Dart], dart: Dart, clockwise: int = 1
     ) -> Sight:
-        """The view from ``dart``, with a robot at each of ``darts``.
+        """The view from ``dart``: three lists, see :data:`Sight`.
 
-        The view is clockwise if ``clockwise`` is 1, anticlockwise if it is -1.
+        ``darts`` has the dart of each robot.  The numbers of robots in the view are at most
+        :attr:`here` and :attr:`elsewhere`.  The view is clockwise if ``clockwise`` is 1,
+        anticlockwise if it is -1.
         """
         at = Counter(map_.vertex_of[each] for each in darts)
         vertices, degrees, alpha = view_order(map_, dart, clockwise)
@@ -76,10 +78,10 @@ class Eyes(NamedTuple):
         return [robots, [*degrees], [*alpha]]
 
     def views(self, map_: CombinatorialMap, darts: Sequence[Dart], dart: Dart) -> dict[Dart, Sight]:
-        """For each dart of the vertex of ``dart`` the lesser of its two views.
+        """For each dart of the vertex of ``dart`` the smaller one of its two views.
 
-        The two views of a dart are the clockwise and the anticlockwise view; ``darts`` has the dart
-        of each robot.
+        The two views of a dart are the clockwise and the anticlockwise view; smaller is meant in
+        Python's order of lists.  ``darts`` has the dart of each robot.
         """
         found = {}
         for each in map_.vertices[map_.vertex_of[dart]]:
