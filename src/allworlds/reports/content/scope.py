@@ -51,11 +51,14 @@ def each_of(given: MapSource) -> str:
     return f"each of {given.words}" if given.count > 1 else f"the {given.words.removeprefix('1 ')}"
 
 
-def maps_in_words(report: OfWorlds) -> str:
-    """The maps of a report in words, with the shard if the report is about a shard."""
+def maps_in_words(report: OfWorlds, every: str = "every rooted map") -> str:
+    """The maps of a report in words, with the shard if the report is about a shard.
+
+    ``every`` stands for the maps if no maps are given.
+    """
     shard = f", shard {report.portion}" if report.portion != units.WHOLE else ""
     given = report.extent.given
-    maps = "every rooted map" if given is None else f"every start in {each_of(given)}"
+    maps = every if given is None else f"every start in {each_of(given)}"
     return f"{maps} {of_the_class(report.extent)}{shard}"
 
 

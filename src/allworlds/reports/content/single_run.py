@@ -406,9 +406,9 @@ def _remarks(finding: Finding, origin: str, *, checked: bool) -> Iterator[tuple[
         rest = f", and {words.number(more)} more" if more > 0 else ""
         yield "choices", ", ".join(map(str, shown)) + rest
     if checked:
-        confirmed = "no: no new process has repeated the run"
+        confirmed = "by no new process"
         if finding.confirmed:
-            confirmed = "yes: a new process, given only the percepts, repeated the run"
+            confirmed = "by a new process, which repeated the run from its percepts alone"
         smaller = "a smaller world may refute the explorer, too"
         if finding.minimal:
             among = finding.rules.among

@@ -110,8 +110,8 @@ def _facts(report: WorstReport) -> list[tuple[str, str]]:
     """Named texts: the scope of the numbers, and the sources with which they were compared."""
     ways = {"shortest": "a shortest path", "simple": "any simple path"}
     scope = (
-        f"every schedule of algorithm1 in {maps_in_words(report)}, from every vertex; the robot "
-        f"goes to the next edge on {ways[report.request.transit]}"
+        f"every schedule of algorithm1 in {maps_in_words(report)}; the robot goes to the "
+        f"edge that it explores next on {ways[report.request.transit]}"
     )
     costs = (
         "worst: the largest cost of a schedule in any world; best: in each world the cheapest "
@@ -119,7 +119,7 @@ def _facts(report: WorstReport) -> list[tuple[str, str]]:
     )
     tests = sum(row.tests for row in report.rows)
     wrong = sum(row.wrong_tests for row in report.rows)
-    tested = "no test was of a false hypothesis" if report.rows else ""
+    tested = "no hypothesis that was tested was false" if report.rows else ""
     if tests:
         verdict = f"{number(wrong)} CONFIRMED a false one" if wrong else "all rejected"
         tested = f"{plural(tests, 'test')} of false hypotheses, by every path home: {verdict}"
