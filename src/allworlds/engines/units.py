@@ -551,7 +551,8 @@ class Sample(Struct, frozen=True):
         portion: the shard: the part of the random worlds that this job does.
         mix: names of ways to draw a map, which take turns; if empty, the class of maps determines
             the ways.
-        drawn, finished: as in :class:`Shard`.
+        drawn: True, because these worlds are drawn at random.
+        finished: the words by which reports name the finished worlds.
 
     Raises:
         InputError: for numbers out of range.

@@ -55,7 +55,7 @@ def ensure_same_worlds(extent: Extent | None, units: Sequence[Any], deadline: fl
 
 
 def ensure_same_senses(finding: Finding) -> None:
-    """Raise InputError unless a user's lighthouse is sensed once more as a finding records it.
+    """Raise InputError unless a user's lighthouse again gives what a finding has recorded.
 
     Several fresh processes make the world of the finding anew, and follow the walk of the finding.
     In each process the lighthouse must tell the robot the recorded value before the start, and give
@@ -78,12 +78,18 @@ def ensure_same_senses(finding: Finding) -> None:
 def _answers_of_processes(
     kind: str, content: Any, number: int, said: str, deadline: float | None
 ) -> list[Any]:
-    """The answers of :data:`PROCESSES` fresh processes to one message, as lists of byte strings.
+    """The answers of :data:`PROCESSES` fresh processes to one message.
+
+    Each answer is a list of byte strings, its items.  For the kind ``maps`` an item is the digest
+    of the maps of one unit; item i belongs to unit i.  For the kind ``walk`` the only item holds
+    the value that the lighthouse tells before the start, and the percepts of the walk.
 
     Args:
         kind: the kind of the message: ``maps`` or ``walk``.
-        content: the content of the message.
-        number: the number of items in an answer; each process makes these items in a random order.
+        content: for ``maps`` the extent and the list of units; for ``walk`` the world and the list
+            of actions.
+        number: the number of items in an answer.  Each process computes the items in a random
+            order, which does not change their places in the answer.
         said: the words by which error messages name the user's code.
         deadline: the end of the time limit, on the monotonic clock; or None.
 

@@ -130,8 +130,9 @@ def own_bound(name: str, lighthouse: str) -> str | None:
     its bound only under its own kind of lighthouse, under all options except ``start=any``.
 
     Raises:
-        InputError: if the explorer has a shield, and the lighthouse is not the directional one, or
-            has ``start=any``; or if the explorer looks for v0, and the lighthouse does not show v0.
+        InputError: for an explorer with a shield, unless the lighthouse is the directional one
+            without ``start=any``; and for an explorer with the wrapper ``elsewhere:``, which looks
+            for v0, unless the lighthouse shows v0 (see :data:`SHOW_V0`).
     """
     if name.startswith(ELSEWHERE):
         return _bound_elsewhere(name.removeprefix(ELSEWHERE), str(lighthouse))

@@ -116,9 +116,9 @@ class Library:
             )
 
     def print_line_by_line(self) -> None:
-        """Make the C library write each line of stdout at once.
+        """Let C code in this process write each line of stdout as soon as the line is complete.
 
-        So no line is lost if the process is killed.
+        So no line that the user's library prints is lost if the process is killed.
         """
         program = ctypes.CDLL(None)
         with suppress(ValueError):  # a C library that calls it otherwise
@@ -196,11 +196,17 @@ class NativeExplorer:
 
     @property
     def keywords(self) -> frozenset[str]:
-        """The keywords that the explorer takes: ``told``, and ``choices`` if the library asks."""
+        """The keywords of :meth:`explore` that have an effect: ``told``, and perhaps ``choices``.
+
+        ``choices`` is one of them if the library has the function ``allworlds_choose``.
+        """
         return frozenset({"told", "choices"} if self.library.choose else {"told"})
 
     def state(self) -> int:
-        """The address of the library's state; the library makes the state at the first call.
+        """The address of the state, the memory that the library keeps for its explorer.
+
+        The first call of this method lets the library make the state by ``allworlds_new``; later
+        calls return the same address, until :meth:`close` is called.
 
         Raises:
             ExplorerFault: if the library makes no state.

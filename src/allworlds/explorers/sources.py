@@ -153,7 +153,10 @@ def short_names(names: Sequence[str]) -> list[str]:
 def _ends(name: str) -> Iterator[str]:
     """Yield ends of an explorer's name, shorter ones first, and then the name itself.
 
-    For a command (``exec:COMMAND``) the beginning of the name is yielded instead of its ends.
+    The shortest end is the part behind the last colon; each longer end begins behind a ``/``.  So
+    ``a/b/c.py:f`` has the ends ``f``, ``c.py:f`` and ``b/c.py:f``.  For a command
+    (``exec:COMMAND``) the first :data:`MOST_OF_A_COMMAND` characters of the name are yielded
+    instead.
     """
     if is_program(name):
         yield name[:MOST_OF_A_COMMAND]
@@ -184,7 +187,10 @@ class SourceLine(Struct, frozen=True):
     line: int = 1
 
     def is_in(self, folder: Path) -> bool:
-        """Whether the file is in ``folder``, the project's, and in no package installed there."""
+        """Whether the file is in ``folder``, and not in a folder of installed packages.
+
+        ``folder`` is that of the user's project, which may contain a virtual environment.
+        """
         return self.file.is_relative_to(folder) and "site-packages" not in self.file.parts
 
     def named_from(self, folder: Path) -> str:
@@ -207,11 +213,10 @@ def files_of_explorer(name: str) -> list[Path]:
 def place_of_explorer(name: str) -> SourceLine | None:
     """The line where a user's explorer begins; None for a built-in explorer, or if unknown.
 
-    A Python explorer begins at the line of its function.  An explorer that runs by a command begins
-    at the first line of the last file that the command names; if the command names no file, at the
-    first line of the file of the program.  If this file, or a shared library, is compiled, the
-    first line of its source in the same folder is returned, such as that of explorer.c for
-    explorer.so.
+    A Python explorer begins at the line of its function.  Any other explorer begins at the first
+    line of a file: of the shared library; of the last file that the command names; or of the
+    program, if the command names no file.  For a compiled file the line is that of its source in
+    the same folder, such as explorer.c for explorer.so; None if there is no such source.
     """
     files, name = files_of_explorer(name), innermost(name)
     try:
@@ -245,8 +250,8 @@ def _source(file: Path) -> Path | None:
 def _files_named(name: str) -> list[Path]:
     """The paths of the files that an explorer's name can mean; there may be no file at a path.
 
-    ``name`` has no wrappers.  For a command, each word is taken for the path of a file, and each
-    module after ``-m`` for two paths.
+    ``name`` has no wrappers.  In a command each word can mean the file with this path; a module
+    ``a.b`` after ``-m`` can mean ``a/b.py`` or ``a/b/__main__.py``.
 
     Raises:
         InputError: if the name contains a module, and there is no such module.

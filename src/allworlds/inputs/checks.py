@@ -133,7 +133,8 @@ def did_you_mean(name: str, known: Iterable[str], also: Mapping[str, str] | None
         name: the given name.
         known: the known names.  Of a form such as ``wheel:N`` only the part before the colon is
             compared, and the hint keeps the rest of the given name.
-        also: other words for known names, such as ``grid`` for ``lattice``.
+        also: for words that are not known names the known name that is meant, in small letters and
+            without the colon: ``{"grid": "lattice"}`` hints at ``lattice:RxC`` for ``grid``.
     """
     from difflib import get_close_matches  # which players do not need
 
@@ -162,7 +163,8 @@ def not_one_of(
         given: the value.
         known: the known names.
         more: further words in the message, behind the known names.
-        also: other words for known names, see :func:`did_you_mean`.
+        also: for words that are not known names the known name that is meant, such as
+            ``{"grid": "lattice"}``; see :func:`did_you_mean`.
     """
     names = [str(each) for each in known]  # of an enumeration, too
     hint = did_you_mean(given, names, also) if isinstance(given, str) else ""

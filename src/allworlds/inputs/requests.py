@@ -46,11 +46,12 @@ PANELS = (SCOPE, RULES, EFFORT, OUTPUT)
 
 
 class Rare(str):
-    """The name of a panel of the help, for the options in this panel that are rarely needed.
+    """A panel's name that marks an option as rarely needed, if it is the option's ``panel``.
 
-    An option is rarely needed if its ``panel`` is an object of this class, not a plain text.  If a
-    verb has many options, ``--help`` leaves out those that are rarely needed, and ``--help-all``
-    shows all options.  Other verbs show all options by ``--help``.
+    A panel of the help can hold both kinds of options: those with the panel's name as a plain text,
+    and those with an object of this class.  If a verb has many options, ``--help`` leaves out those
+    that are rarely needed, and ``--help-all`` shows all options.  Other verbs show all options by
+    ``--help``.
     """
 
     __slots__ = ()
@@ -167,11 +168,11 @@ class Request:
 
     @property
     def in_effect(self) -> dict[str, Any]:
-        """Values for the scope of a report, by their keys there.
+        """The values that the scope of a report shows besides the options, by their keys there.
 
-        A value replaces that of the option with the same key.  A subclass returns values that took
-        effect without being the value of an option, such as the digest of a given file.  By default
-        there are none.
+        Such a value is the digest of a given file.  If an option has the same key, the scope shows
+        this value in place of the option's: the shard as a text, for example.  By default there are
+        no such values; a subclass adds its own.
         """
         return {}
 
@@ -246,18 +247,18 @@ def takes_fields(
 ) -> Callable[[Callable[P, Answer]], Callable[P, Answer]]:
     """Return a decorator for a function whose keywords are the fields of a request.
 
-    The new function has a signature and a docstring with all these fields.  It calls the decorated
-    function only with legal keywords and, if the request names explorers, never inside another
-    check.
+    The decorator returns a new function, with a signature and a docstring that list all these
+    fields.  The new function calls the decorated one only with legal keywords and, if the request
+    names explorers, never inside another check.
 
     Args:
         request: the class of the request.
         several: the name of a field whose values the function takes as any number of positional
             arguments; empty if there is no such field.
-        answered: the function that :func:`answer` calls for the new function; it takes an object
-            of the class ``request``, and returns the same answer as the decorated function.  None
-            is only legal if :func:`answers` has made the decorated function; then it is the
-            function that was given to ``answers``.
+        answered: the function that takes an object of the class ``request``, and returns the same
+            answer as the decorated function; :func:`answer` calls it.  It may be left out only if
+            the decorated function has been made by the decorator of :func:`answers`, which itself
+            decorated a function of this kind: then ``answer`` calls that one.
     """
 
     def made(function: Callable[P, Answer]) -> Callable[P, Answer]:
@@ -303,10 +304,13 @@ def ensure_takes(
 
 
 def answer(function: Callable[..., Answer], request: object) -> Answer:
-    """Answer a request, an object, by a function that takes the request's fields as keywords.
+    """The answer to a request by a function that takes the request's fields as keywords.
 
-    :func:`takes_fields` has made ``function``.  What is called is not ``function``, but the
-    function named ``answered`` there, which takes the request itself.
+    Args:
+        function: a function made by :func:`takes_fields` or :func:`answers`, such as a verb.
+            Behind it stands a function that takes the request as one object (the argument
+            ``answered`` of ``takes_fields``); only this one is called.
+        request: the request.
     """
     answered: Answer = inspect.unwrap(function)(request)
     return answered
@@ -357,14 +361,15 @@ def as_json(value: object) -> Any:
 
 
 def given_again(part: type[Any], request: object, but: Iterable[str] = ()) -> list[str]:
-    """The words of a command line that give these values of a request once more.
+    """The options of a command line, with their values, by which a request can be given again.
 
-    Options with default values are left out, except those in :data:`GIVEN_IN_FILE`.
+    An option is left out if its value is the default.  But if a user's file sets the default (see
+    :data:`GIVEN_IN_FILE`), the option is written, because the file may be missing the next time.
 
     Args:
-        part: the class of requests whose options are given, as far as the answer depends on them.
+        part: the class of requests whose options are written, if the answer depends on them.
         request: the request, which has the fields of ``part``.
-        but: the names of further fields to leave out.
+        but: the names of fields whose options are left out, whatever their values.
     """
     words, left, in_file = list[str](), {*but}, GIVEN_IN_FILE.get()
     for each in _meant(part):

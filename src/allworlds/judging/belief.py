@@ -20,8 +20,8 @@ from allworlds.world.state import State
 def trail_to(map_: CombinatorialMap, here: Dart, walk: Walk | Transcript) -> list[Dart]:
     """The robot's darts in ``map_``, at the start and after each step of a walk to ``here``.
 
-    Its actions are those of ``walk``.  Motions are reversible, so the walk in ``map_`` is traced
-    back from ``here`` to its beginning.
+    The walk in ``map_`` has the actions of ``walk``.  Motions are reversible, so it is traced back
+    from ``here``, its last dart, to its beginning.
     """
     trail = [here]
     for action in reversed(walk.actions):
@@ -50,10 +50,10 @@ def believed_percepts(
 ) -> list[actions.Percept] | None:
     """The percepts that the map of an answer predicts, at the start and after each step.
 
-    The method ``believed`` of the world's lighthouse finds the place of the lighthouse in this map.
-    For most kinds it has there the same number, or lies as many darts from the start, as in the
-    world; the start is then the first dart of ``trail``.  The result is None if there is no such
-    place.
+    The method ``believed`` of the world's lighthouse chooses the place of the lighthouse in the
+    answer's map, whose start is the first dart of ``trail``.  For most kinds this is the place with
+    the same number as the place in the world, or the dart that is as many darts clockwise from the
+    start as the lighthouse's dart in the world.  The result is None if there is no such place.
 
     Args:
         walk: the robot's walk in the world.
@@ -159,16 +159,18 @@ class BelievedWalk(Struct, frozen=True):
 def believed_walk(walk: Walk, answer: actions.Estimate) -> BelievedWalk:
     """The walk in the answer that agrees for longest with ``walk``, the walk in the world.
 
-    The first candidate is the walk with the same actions that ends at ``here``.  But an explorer
-    may have been right up to its last step, and then have given a wrong ``here``.  So, if the first
-    candidate diverges before the last step, each dart of the answer gives a further candidate: the
-    walk that begins at this dart, in which ``here`` replaces the last dart.  The last step of such
-    a candidate need not be possible in the answer.  So the candidate is left out if it never
-    diverges from the walk in the world: it would wrongly show that the answer fits the whole log.
+    The first candidate is the walk with the same actions that ends at the answer's ``here``.  But
+    an explorer may have been right up to its last step, and then have given a wrong ``here``.  So,
+    if the first candidate diverges from ``walk`` before the last step, each dart of the answer gives
+    a further candidate: the walk with the same actions that begins at this dart, but with ``here``
+    as its last dart.
+    The last step of such a candidate can be a leap to ``here`` that no motion makes.  A candidate
+    with a leap must not prove that the answer fits the log; so a further candidate that never
+    diverges is left out.
 
-    If several candidates agree equally long, the walk that ends at ``here`` is preferred, and then
-    the candidate in which the degrees in the answer equal the sensed degrees for the most steps
-    from the start on; of these, the one that begins at the smallest dart.
+    If several candidates agree equally long, the first candidate is preferred.  Of the others the
+    one is preferred whose degrees equal the sensed degrees for the most steps, counted from the
+    start; of several such candidates, the one that begins at the smallest dart.
 
     Cost: for each dart of the answer at most linear in the steps and the darts.
     """

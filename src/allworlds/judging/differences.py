@@ -133,9 +133,11 @@ def nondeterministic(seen: str) -> Violation:
 def _meaning(log: Log) -> object:
     """The part of a play's ending that must be equal in both plays: the answer or the broken law.
 
-    The result is None if the last action of the play got no percept: in the play in the world the
-    action was illegal there, or in the second play the recorded percepts had come to their end.
-    If both plays have the same actions, these two endings mean the same.
+    The result is the name of the broken law if the play ended with a fault; else the ending as the
+    log records it, with the answer.  But it is None if the play's last action got no percept, for
+    one of two reasons: in the first play, in the world, the action was illegal; in the second play
+    the recorded percepts had come to their end.  After an illegal action of the first play no
+    percept is recorded, so for plays with the same actions both reasons mean the same.
     """
     if log.ending[0] in (entries.BEYOND, entries.REFUSED):
         return None  # there is no percept after a refused action

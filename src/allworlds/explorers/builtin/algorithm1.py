@@ -7,12 +7,14 @@ v_k'; M are the motions of a test, P the percepts that the test expects.  A dart
 dart by which the robot has arrived.  In variants without a direction a test ends with a *query* at
 v0: the robot goes out by one dart and straight back, to learn by which dart it had come to v0.
 
-Each decision that the paper leaves open is a choice; the *order of S* is the order in which the
-darts came into S, which is also that of their numbers:
+Each decision that the paper leaves open is a choice.  A policy gets the options of the choice, and
+for each option a *cost*, a walking distance: the policy ``nearest`` takes the dart with the
+smallest cost.  The *order of S* is the order in which the darts came into S, which is also that of
+their numbers.  The choices:
 
 ``edge``
-    The dart that leaves U (line 3). Options: U in the order of S; cost: the length of the shortest
-    walk in S to the dart's vertex.
+    The dart that leaves U (line 3).  Options: U in the order of S; cost: the length of the shortest
+    walk in S from the robot's vertex to the dart's vertex.
 ``transit``
     The simple path in S to v_k (line 4), one dart at a time.
 ``hypothesis``
@@ -261,11 +263,12 @@ class Algorithm1:
     Attributes:
         s: the map S with its open darts U.
         here: the robot's dart in S; only meaningful between two passes.
-        turned: 0, except after a rejected test and, in a variant, after a query.  Then the robot
-            has left v_u, or v0, by some dart, and has come back by the same dart.  The motions of
-            the algorithm still count from the dart by which the robot had come to this vertex
-            before; ``turned`` is the number of darts, clockwise, from this earlier dart to the one
-            at which the robot stands now, and is subtracted from the next motion of the pass.
+        turned: a correction for the next motion.  After a rejected test the robot is back at v_u,
+            and after a query of a variant it is back at v0; there it stands at the dart by which
+            it had left, not at its dart of entry before the test or the query.  ``turned`` is the
+            number of darts, clockwise, from this dart of entry to the robot's dart.  The next
+            motion of the pass counts from the dart of entry, so ``turned`` is subtracted from it;
+            each motion of a test sets ``turned`` to 0.
 
     Args:
         first: the percept at v0 before any motion.
@@ -511,7 +514,10 @@ class TwoVertices(Algorithm1):
                 return
 
     def reads(self, percept: Percept) -> Percept:
-        """The percept that tests compare instead: the degree, and one mark for a percept of v0."""
+        """The part of a percept that tests compare: its degree, and whether it is that of v0.
+
+        The result has one mark for a percept of v0, no mark for other percepts, and no bearing.
+        """
         return Percept(percept.degree, int(self.is_v0(percept)))
 
     def try_path(self, partner: int, path: list[int]) -> Stage[tuple[list[int], bool]]:

@@ -103,7 +103,9 @@ class _Dudek:
     Attributes:
         s: the map S with its open darts U.
         here: the robot's dart in S.
-        seen: the newest percept that was kept; its marks tell whether the marker lies there.
+        seen: the percept after the robot's newest motion, at first that at the start; it has a
+            mark if the marker lies at the robot's vertex.  The motions by which :meth:`close`
+            comes back from a wrong dart do not change it.
         choices, notice: as in :func:`dudek91`.
     """
 
@@ -180,8 +182,9 @@ class _Dudek:
 
         ``dart`` is the dart that this pass explores.  The robot stands at the vertex where it has
         found the marker.  It carries the marker to the known end of ``dart`` and goes back.  Then
-        it tries the open darts of the vertex until one leads to the marker.  If no other open dart
-        does, the last one is taken for the other dart of the edge.
+        it leaves by one open dart of the vertex after the other, and comes back, until a dart leads
+        to the marker.  This dart is joined to ``dart``.  If none of the open darts leads to the
+        marker, the last one is joined to ``dart``.
         """
         s = self.s
         vertex = s.vertex[self.here]

@@ -48,11 +48,10 @@ class BuiltIn(Struct, frozen=True):
         lighthouse: the explorer's kind of lighthouse, in the form ``KIND[:key=value,...]``.
         witnesses: the events that must occur in a complete check.  Each event has two entries: one
             for classes of maps with loops and parallel edges, one for simple classes.  An entry is
-            a pair, a number of edges and a number of vertices: under every policy the event occurs
-            in a check of all worlds that have at most so many edges and vertices.  These are the
-            smallest such numbers that are known.  If the event does not occur in such a check, the
-            check has left out a branch of the algorithm.  The entry is None if the event never
-            occurs under some policy.
+            a pair (m, n), as small as is known: under every policy the event occurs in a check of
+            all worlds with at most m edges and at most n vertices.  If such a check does not see
+            the event, a branch of the algorithm has not been checked.  The entry is None if there
+            is a policy under which the event never occurs.
         bound: the name of the bound that the explorer keeps under its kind of lighthouse; None if
             this bound is the default bound of the lighthouse.
         step_budget: the largest legal number of traversals, if the usual budget is too small.

@@ -2,10 +2,11 @@
 
 All percepts of a robot with a directional lighthouse form one map, the folded log.  Each motion
 through an open dart makes a new *node*, a copy of the vertex of arrival.  If an arrival at v0 shows
-that two nodes are one vertex, the nodes are merged.  Then the nodes to which their equal darts lead
-are merged, because a dart leads to only one dart.  When two nodes are merged, one of them remains;
-the other node, with its darts, only stands for the node that remains.  A node that has not been
-merged into another one, and each dart of such a node, is called *canonical*.
+that two nodes are one vertex, the nodes are merged: each dart of one node becomes equal to a dart
+of the other.  If two equal darts lead to two nodes, these nodes are one vertex, too, and are merged
+in turn.  When two nodes are merged, one of them remains; the other node, with its darts, only
+stands for the node that remains.  A node that has not been merged into another one, and each dart
+of such a node, is called *canonical*.
 
 So the folded log is a part of every world that agrees with the log.  A folded log without an open
 dart is the world.  So if an explorer takes its answer from such a folded log, the answer is right,
@@ -19,10 +20,12 @@ comes to the same dart of v0, so the nodes are merged.  The rule that always cho
 nearest to the robot is not fair: the robot can walk on for ever, from one copy of a vertex to the
 next.
 
-The *shield* makes any explorer right in every world under the directional lighthouse.  Two
-*guests*, the explorer and Algorithm 1, take turns with budgets 1, 2, 4, ...: in its turn a guest
-goes on until its total number of traversals is the budget.  All percepts go into one folded log; as
-soon as no dart of it is open, the folded map is the answer.  The guests' answers are never used.
+The *shield* makes any explorer right in every world under the directional lighthouse.  Inside the
+shield two explorers, the *guests*, take turns: the user's explorer and Algorithm 1.  The turns have
+the budgets 1, 2, 4, 8, ...: 1, 4, 16, ... for the user's explorer, 2, 8, 32, ... for Algorithm 1.
+In its turn a guest goes on until its number of traversals, in all its turns together, is the
+budget.  All percepts go into one folded log; as soon as no dart of the log is open, the map of the
+log is the answer.  The guests' answers are never used.
 
 In the known part of the log a guest walks without cost, and its percepts are read from the log.
 When a guest goes through an open dart, the robot walks to this dart by a shortest way in the log,
@@ -33,9 +36,10 @@ until its own log has no open dart, and (1) + (2) is the paper's bound on Algori
 turn with the budget b the robot could walk from v0 along the whole walk of the turn's guest, at
 most b traversals, and before the next turn back to v0, at most b again; the shortest ways that the
 robot takes instead are not longer.  So all turns before the turn with the budget 2^k together cost
-at most 2 (1 + 2 + ... + 2^(k-1)) < 8 * 2^(k-2) traversals.  Let the log have no open dart after x
-traversals of the guest of this turn.  Then x > 2^(k-2), the budget of the guest's turn before, and
-the robot makes at most x traversals in this turn: less than 8x + x together.
+at most 2 (1 + 2 + ... + 2^(k-1)) < 8 * 2^(k-2) traversals.  Let the last open dart of the log
+disappear in the turn with the budget 2^k, when its guest has made x traversals in all.  The same
+guest had the turn with the budget 2^(k-2), which was not enough: so x > 2^(k-2).  In the last turn
+the robot makes at most x traversals: less than 8x + x together.
 """
 
 from bisect import insort
@@ -257,7 +261,8 @@ def explore_folding(
 
     Args:
         first: the percept at the start.
-        next_way: the function that chooses each walk to an open dart.
+        next_way: the function that chooses each walk to an open dart, from the log and the robot's
+            dart in the log; it returns the darts by which the walk leaves its nodes.
         hears: the function that gets the event ``merged``, see :func:`folding`.
     """
     log, here = begun(first)
@@ -410,7 +415,7 @@ class _Guest:
 
 
 class _Stranger(_Guest):
-    """A guest that is a user's explorer.
+    """The user's explorer inside the shield, the guest whose faults the shield must survive.
 
     If the explorer ends, raises an error or yields an illegal value, the guest makes no further
     motions.

@@ -3,6 +3,10 @@
 A *word* is a sequence of the letters ``s`` (turn to the next dart clockwise) and ``a`` (go through
 the dart).  An experiment walks a word, and reads the percept at its end.  A *class* is a set of
 darts that no word tells apart: from each of them the robot senses the same after the same word.
+
+The explorer does not know which of its arrivals are at the same vertex.  So it notes each of them
+as a *node* of a *tree*: the first step by a dart of the tree leads to a new node; only a step
+straight back leads to the node before.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -24,10 +28,10 @@ class TreeDart(NamedTuple):
     """A dart in the tree of all walks from the start; see :class:`Experiments`.
 
     Attributes:
-        node: the node of the dart, given by the way from the start to this node: for each dart by
-            which the way leaves a node on it, the dart's ``turn``.
-        turn: the number of darts, clockwise, from the dart by which the way enters the node to this
-            dart; at the start from the dart that the robot faces.
+        node: the node of the dart, as the motions by which the robot walks along the tree from the
+            start to this node: each motion is the ``turn`` of the dart by which the robot leaves.
+        turn: the number of darts, clockwise, from the dart by which this walk enters the node to
+            this dart; at the start node it is counted from the dart that the robot faces.
     """
 
     node: tuple[int, ...]
@@ -203,10 +207,11 @@ class ClassTable(NamedTuple):
         """The only world with this quotient, as an estimate; :meth:`is_alone` must be true.
 
         The darts of each class have numbers, from 0 on, as many as there are sheets.  sigma and
-        alpha lead to a dart with the same number in another class, with two exceptions.  If the
-        classes occur several times round a vertex of the world, sigma adds 1 (modulo the number of
-        sheets) to the number from the last of these classes to the first.  If alpha leads from a
-        class to itself, alpha exchanges the numbers 0 and 1.
+        alpha lead to a dart with the same number in another class, with two exceptions.  First, let
+        the classes of a vertex of the quotient (see :meth:`vertices`) occur several times round a
+        vertex of the world.  Where sigma leads from the last of these classes to the first one, it
+        also adds 1 to the dart's number, modulo the number of sheets.  Second, if alpha leads from
+        a class to itself, alpha exchanges the darts 0 and 1 of this class.
         """
         k = self.sheets
         sigma = [of * k + i for of in self.sigma for i in range(k)]
@@ -291,9 +296,10 @@ class _Learner:
     def _refuted(self) -> Stage[SensedWord | None]:
         """A word from the start at whose end the attribute ``table`` predicts a wrong percept.
 
-        Along each word of :meth:`_to_be_met`, after each of its letters, experiments are compared
-        with what the table predicts at the end of each word of ``telling`` from there.  The result
-        is None if all these predictions are right.
+        The robot walks the words of :meth:`_to_be_met`.  At the start and after each letter it
+        walks each word of ``telling`` from the dart that it has reached, and compares the percept
+        at the end with the prediction of the table.  The result consists of the letters so far and
+        the word of ``telling`` that gave a wrong percept; None if all predictions are right.
         """
         for word in self._to_be_met():
             at, of = self.world.start, 0
@@ -310,11 +316,12 @@ class _Learner:
     def _to_be_met(self) -> Iterator[SensedWord]:
         """Yield the words, from the start, that suffice to prove the attribute ``table``.
 
-        If the table predicts rightly along all these words, it is right for every word.  First come
-        words that test whether ``a`` twice, and ``s`` as often as the degree, lead back.  The other
-        words begin at each dart of v0 that is in class 0 by the table.  From there a word leads to
-        some class, goes on by one letter, and then back by the reverse letters, so that it ends in
-        class 0 again if the table is right.
+        If the table predicts rightly along all these words, it is right for every word.  The first
+        words lead to a dart of each class and then go on by ``a`` twice, or by ``s`` as often as
+        the degree, which must lead back to this dart.  Each other word first turns, by letters
+        ``s``, to a dart of v0 that is in class 0 by the table.  Then it leads to a dart of some
+        class, goes on by one letter, and ends with the letters of :meth:`_back`, which lead to
+        class 0 if the table is right.
         """
         table = self.table
         degrees = [percept.degree for percept in table.sensed]

@@ -128,10 +128,10 @@ def telling(letters: list[int], dart: int) -> list[int]:
 
     ``letters`` holds the letter of each dart of v0, clockwise.  If the robot came in by another
     dart of v0, queries read a cyclic shift of ``letters`` instead; at another vertex they read only
-    zeros.  The robot has already sensed the letter of ``dart``, so only those of these lists must
-    be excluded that have the same letter there.  Each of these differs from ``letters`` at one of
-    the returned darts at least.  Only a list that equals ``letters`` cannot be excluded; then the
-    letters are not a primitive word, or are all 0.
+    zeros.  The robot has already sensed the letter of ``dart``.  So the queries need to exclude
+    only a shift, or the list of zeros, that has at the index ``dart`` the same letter as
+    ``letters``.  Each such list has another letter than ``letters`` at one of the returned darts at
+    least, unless it equals ``letters``: then ``letters`` repeats a shorter word, or is all 0.
     """
     shifts = [letters[k:] + letters[:k] for k in range(1, len(letters))]
     others = [word for word in ([0] * len(letters), *shifts) if word[dart] == letters[dart]]

@@ -170,7 +170,11 @@ def _say_tried(finding: Finding) -> list[str]:
 
 
 def _say_progress(story: Walked) -> str:
-    """Say after which step the robot found no new edge; if it found none at all, the last step."""
+    """Say after which step the robot found no new edge any more.
+
+    If the robot found no edge in the whole run, say where it was after its last step, and its
+    percept there.
+    """
     found_at = story.discoveries.values()
     if not found_at:
         return _say_last_step(story)
