@@ -161,12 +161,11 @@ def believed_walk(walk: Walk, answer: actions.Estimate) -> BelievedWalk:
 
     The first candidate is the walk with the same actions that ends at the answer's ``here``.  But
     an explorer may have been right up to its last step, and then have given a wrong ``here``.  So,
-    if the first candidate diverges from ``walk`` before the last step, each dart of the answer gives
-    a further candidate: the walk with the same actions that begins at this dart, but with ``here``
-    as its last dart.
-    The last step of such a candidate can be a leap to ``here`` that no motion makes.  A candidate
-    with a leap must not prove that the answer fits the log; so a further candidate that never
-    diverges is left out.
+    if the first candidate diverges from ``walk`` before the last step, each dart of the answer
+    gives a further candidate: the walk with the same actions that begins at this dart, but with
+    ``here`` as its last dart.  The last step of such a candidate can be a leap to ``here`` that no
+    motion makes.  A candidate with a leap must not prove that the answer fits the log; so a further
+    candidate that never diverges is left out.
 
     If several candidates agree equally long, the first candidate is preferred.  Of the others the
     one is preferred whose degrees equal the sensed degrees for the most steps, counted from the
