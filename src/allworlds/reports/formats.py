@@ -135,9 +135,9 @@ def junit(content: parts.ReportContent) -> str:
 
 
 def _legal(text: str) -> str:
-    """The text in a form that XML allows.
+    r"""The text in a form that XML allows.
 
-    Each control character or invisible character becomes its number, such as ``\\x1b``; any other
+    Each control character or invisible character becomes its number, such as ``\x1b``; any other
     character that is illegal in XML becomes U+FFFD.  Tabs and line ends stay.
     """
     return _FORBIDDEN.sub("\N{REPLACEMENT CHARACTER}", words.escaped(text))

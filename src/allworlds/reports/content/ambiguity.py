@@ -237,8 +237,8 @@ def census_content(census: census_sweep.AmbiguityCensus) -> parts.ReportContent:
     kind = str(census.request.lighthouse)
     marked = "with one marked vertex" if kind == Position.kind else f"under the lighthouse {kind}"
     scope = (
-        f"{maps_in_words(census, 'every map')}, {marked}, up to isomorphism; a world is ambiguous if no motion "
-        "tells it from some other world in the scope"
+        f"{maps_in_words(census, 'every map')}, {marked}, up to isomorphism; a world is ambiguous "
+        "if no motion tells it from some other world in the scope"
     )
     facts = [("scope", scope), ("places", census.places)]
     if not census.whole:
