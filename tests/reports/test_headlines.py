@@ -190,18 +190,18 @@ def test_lines_that_run_in_a_refuting_run_alone_are_told_up_to_a_number():
     assert told["only here"] == only
     code.alone.append("a:4")
     assert len(code.alone) == MOST_LINES + 1
-    assert "a:3; 1 other line: --json lists them (1 run" in dict(_lines(finding, None))["only here"]
+    assert "a:3; 1 other line: --json lists them (not run in 1 run" in dict(_lines(finding, None))["only here"]
     assert [*_lines(SimpleNamespace(code=None), None)] == []
 
 
-NOT = "no: no new process has repeated the run"
+NOT = "by no new process"
 
 
 @pytest.mark.parametrize(
     ("confirmed", "minimal", "among", "words"),
     [
         (False, False, None, f"{NOT}; a smaller world may refute the explorer, too"),
-        (True, True, None, "yes: a new process, given only the percepts, repeated the run; no "),
+        (True, True, None, "by a new process, which repeated the run from its percepts alone; no "),
         (False, True, "cubic", f"{NOT}; no smaller world of the scope (--where cubic) refutes the"),
         (False, True, None, f"{NOT}; no smaller world of the scope refutes the explorer"),
     ],
