@@ -124,7 +124,7 @@ def test_a_mismatch_with_the_source_is_named(counted):
 
 def test_a_restricted_census_names_its_universe():
     found = census(edges=1, map_class="simple")
-    assert "every rooted map of the class 'simple'" in flat(census_text(found, 80))
+    assert "every map of the class 'simple'" in flat(census_text(found, 80))
 
 
 def test_the_order_of_sensors_is_drawn_in_lines_of_90_columns():
