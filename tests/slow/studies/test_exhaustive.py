@@ -150,7 +150,7 @@ def test_the_gate_notices_a_broken_enumerator(explorers, monkeypatch, broken, vi
     monkeypatch.setattr("allworlds.engines.units.rooted_maps", tampered)
     report = check(explorers("right"), edges=4)
     assert (report.verdict, report.exit_code, report.levels) == (Verdict.ERROR, 70, (1, 2, 3))
-    assert "count gate" in report.ending.reason
+    assert "as the gate says" in report.ending.reason
     wrong_cells = [cell for cell in report.cells if not cell.agrees]
     assert [(cell.edges, cell.vertices) for cell in wrong_cells] == [(3, target.vertex_count)]
 
