@@ -190,7 +190,8 @@ def test_lines_that_run_in_a_refuting_run_alone_are_told_up_to_a_number():
     assert told["only here"] == only
     code.alone.append("a:4")
     assert len(code.alone) == MOST_LINES + 1
-    assert "a:3; 1 other line: --json lists them (not run in 1 run" in dict(_lines(finding, None))["only here"]
+    said = dict(_lines(finding, None))["only here"]
+    assert "a:3; 1 other line: --json lists them (not run in 1 run" in said
     assert [*_lines(SimpleNamespace(code=None), None)] == []
 
 
