@@ -72,6 +72,13 @@ def test_a_line_is_as_long_as_it_is_shown(monkeypatch, encoding, text):
     assert len(shown) <= LONGEST + 1
 
 
+@pytest.mark.parametrize(("more", "cut"), [(0, False), (1, True)])
+def test_a_line_that_is_just_not_too_long_is_shown_whole(capsys, more, cut):
+    text = "x" * (LONGEST - len("allworlds: ") + more)
+    complain(text)
+    assert (f"allworlds: {text}\n" != capsys.readouterr().err) is cut
+
+
 class Heard(Listener):
     def __init__(self):
         self.told = []

@@ -7,7 +7,7 @@ that several machines can share a job.  An extent is a class of maps with bounds
 
 import re
 from collections.abc import Iterable, Iterator, Sequence
-from heapq import heapify, heapreplace
+from heapq import heapreplace
 from math import inf
 from random import Random
 from typing import Annotated, Any, ClassVar, Protocol, Self, TypeAlias
@@ -198,7 +198,6 @@ def dealt(weights: Sequence[int], shard: Shard) -> Iterator[int]:
     """
     heaviest = sorted(range(len(weights)), key=lambda i: (-weights[i], i))
     loads = [(0, index) for index in range(min(shard.count, len(weights)))]
-    heapify(loads)
     mine = []
     for i in heaviest:
         load, index = loads[0]
