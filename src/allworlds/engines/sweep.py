@@ -154,7 +154,11 @@ class Sweep(ABC, Generic[Total, Answer]):
 
     @classmethod
     def request_of(cls, identity: Identity, portion: units.Shard, listener: Listener) -> Any:
-        """Return the request of the job with the identity ``identity``, for this shard."""
+        """Return the request of a job that is kept in a run directory, but for another shard.
+
+        ``identity`` is what the run directory says of the job, ``portion`` the shard to do, and
+        ``listener`` is told of the progress.
+        """
         options = requests.remembered(cls.request_type, identity.parameters)
         return cls.request_type(**options, shard=portion, listener=listener)
 
@@ -230,7 +234,10 @@ class Sweep(ABC, Generic[Total, Answer]):
         return None
 
     def leave(self, level: units.SweptLevel, total: Total) -> None:
-        """Use ``total``, the results so far of an unfinished level; by default drop them."""
+        """Take note of an unfinished level.
+
+        ``total`` are the results of the units of it that are done.  By default they are dropped.
+        """
 
     def conclude(self, ending: outcome.Ending) -> outcome.Ending | None:
         """Do the work after the last level; return a new ending, or None to keep ``ending``."""

@@ -74,7 +74,10 @@ def is_program(name: str) -> bool:
 
 
 def is_library(name: str) -> bool:
-    """Whether a name, without wrappers, is that of a shared library: ``native:PATH``."""
+    """Whether a name means an explorer in a shared library.
+
+    Such a name is ``native:PATH``, perhaps after the prefixes ``shield:`` and ``elsewhere:``.
+    """
     return innermost(name).startswith(NATIVE)
 
 

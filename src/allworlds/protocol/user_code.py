@@ -212,8 +212,8 @@ class LocalCode(Struct, frozen=True):
     """A user's function that exists only in this process.
 
     Attributes:
-        role: the role of the function.
-        function: the function.
+        role: what the function is for the user, such as an explorer or a lighthouse.
+        function: the function itself.
     """
 
     role: Role

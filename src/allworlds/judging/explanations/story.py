@@ -92,10 +92,12 @@ class Story(Walked):
 
     Attributes:
         finding: the finding that is explained.
-        checkpoint: the number of steps before a wrong checkpoint; None if there is none.  If the
-            broken law is about checkpoints, the checkpoint is the one that breaks the law.  If the
-            run ended without an answer, for example in a crash, the checkpoint is the first one
-            that breaks I-1 or I-2; it is recorded only if the law ``invariant-1`` is checked.
+        checkpoint: the number of steps that the robot had walked when the explorer showed a wrong
+            checkpoint; None if no wrong checkpoint is known.  If the broken law is about
+            checkpoints, this is the checkpoint that breaks the law.  If the run ended without an
+            answer, for example in a crash, this is the first checkpoint that breaks
+            ``invariant-1`` or ``invariant-2``; it is known only if the law ``invariant-1`` is
+            checked.
 
     Raises:
         InputError: if the finding's transcript is impossible in its world, or ends before this

@@ -1,6 +1,7 @@
 """The formula of a search: two different worlds, and a bisimulation between their darts.
 
-*One world*: a model is the code of the world (:mod:`allworlds.studies.ambiguity.one_world`).
+*One world*: the variables of each world say what its sigma and alpha are; each solution of the
+formula is the code of a rooted map (:mod:`allworlds.studies.ambiguity.one_world`).
 
 *Bisimulation*: a relation between the darts of two worlds that relates the two starts, is preserved
 by sigma and alpha, and relates only darts with equal percepts.  Such a relation exists exactly if
