@@ -282,8 +282,8 @@ def test_each_explorer_of_a_comparison_has_its_rules_its_places_and_its_file(mon
 
 
 INTERVAL = (
-    "95% confidence in mean or ratio, by Student's t on logarithms; - there: fewer than 5 worlds, "
-    "or a cost of 0"
+    "95% confidence in mean or ratio, by Student's t on logarithms; the sign -: fewer than 5 "
+    "worlds, or a cost of 0"
 )
 
 
@@ -305,7 +305,7 @@ def test_in_the_map_of_a_checkpoint_the_vertices_that_are_not_explored_have_no_n
     (block,) = _belief(story)
     _, (title, scene) = block.entries
     assert [*scene.vertices] == ["s0", "?", "?"]
-    assert "in the explorer's numbers (darts from 2 on, at ?: not explored)" in title
+    assert "in the explorer's numbers (from dart 2 on, at ?: unexplored)" in title
     story.finding.step = None
     assert _belief(story)
     shown.here = 9

@@ -323,7 +323,7 @@ class CheckedClaim(Sentence):
             return ()
         if self.disagreement:
             return (f"the check failed, so the claim counts as refuted: {self.disagreement}",)
-        differ, none = [], "no value"
+        differ, none = [], "none"
         if self.verdict != self.expected:
             differ.append(f"verdict: expected {self.expected}, found {self.verdict}")
         for wanted, seen in (

@@ -565,7 +565,9 @@ TELLERS: dict[str, Teller] = {
     "pose": tell_pose,
     "ambiguity": tell_ambiguity,
     "task": ending("The explorer did not do what the task asks for."),
-    "invariant-1": checkpoint("S, with 'here' on the robot's dart, is not what was explored."),
+    "invariant-1": checkpoint(
+        "S is not the explored part of the world, if 'here' is the robot's dart."
+    ),
     "invariant-2": checkpoint(
         "The U of a checkpoint must hold only unexplored darts, but it holds an explored one."
     ),

@@ -354,7 +354,8 @@ def _found(result: twin_search.SearchResult) -> tuple[parts.Headline, list[tuple
             f"{result.certificate} holds a formula and an LRAT proof for each size; a separate "
             "proof checker has accepted each proof"
         )
-    return parts.Headline("NONE", f"{asked}: there are none.", "holds"), [("proof", proof)]
+    none = f"there are no {asked[0].lower()}{asked[1:]}."
+    return parts.Headline("NONE", none, "holds"), [("proof", proof)]
 
 
 def tour(worlds: Sequence[World]) -> list[int]:

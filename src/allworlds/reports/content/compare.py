@@ -226,11 +226,11 @@ def _growth_facts(report: growth.Growth) -> list[tuple[str, str]]:
     if report.rows:
         drawn = max(row.seeds for row in report.rows)
         level = f"{intervals.LEVEL:.0%} confidence in mean or ratio, by Student's t on logarithms"
-        few = f"- there: fewer than {intervals.LEAST_WORLDS} worlds, or a cost of 0"
+        few = f"the sign -: fewer than {intervals.LEAST_WORLDS} worlds, or a cost of 0"
         words += [
             ("worlds", f"the rooted maps of {plural(drawn, 'seed')}; isomorphic ones count once"),
             ("runs", "places of the lighthouse tried, of all places; worst: the largest cost"),
-            ("mean", "first over the runs in a world, then over worlds; ratios: geometric mean"),
+            ("mean", "over the runs in a world, then over worlds; of ratios the geometric mean"),
             ("interval", intervals.lack() or f"{level}; {few}"),
         ]
         if any(row.exact for row in report.rows):
@@ -309,7 +309,7 @@ def _facts(report: comparison.Comparison) -> list[tuple[str, str]]:
     words.append(("costs", meant))
     first = _short_names(report)[0]
     exact = "; exact, as the maps are no sample" if report.whole else ""
-    ratio = f"in each map mean / mean of '{first}'; then the geometric mean over all maps{exact}"
+    ratio = f"mean cost / that of '{first}' in each map; then the geometric mean of all maps{exact}"
     words.append(("ratio", ratio))
     if report.rows:
         words += [("in all", _in_all(report, name)) for name in report.names[1:]]

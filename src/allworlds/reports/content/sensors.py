@@ -124,7 +124,7 @@ def _less_at_a_step(found: AmbiguitySensors) -> Iterator[str]:
         more = [b for a, b in found.coarser if a == less and (b, a) not in found.coarser]
         more = [each for each in more if (less, each) in found.dominates]
         if more:
-            yield f"in one step {less} senses less than {words.listed(more)}, in many as much"
+            yield f"in one step {less} tells less than {words.listed(more)}, after many as much"
 
 
 def _pictures(named: Iterable[tuple[str, AlikePair]]) -> Iterator[parts.Section]:

@@ -388,7 +388,7 @@ def _belief(story: Story) -> list[parts.Block]:
     known = len(shown.sigma)
     names = ["?" if min(darts) >= known else f"s{i}" for i, darts in enumerate(map_.vertices)]
     scene = parts.Scene(map_, None, shown.here, vertices=names)
-    title = f"The S {here}, in the explorer's numbers (darts from {known} on, at ?: not explored)"
+    title = f"The S {here}, in the explorer's numbers (from dart {known} on, at ?: unexplored)"
     beside = (f"The world {here}", parts.walk_in_world(until))
     return [parts.MapPictures([beside, (title, scene)])]
 

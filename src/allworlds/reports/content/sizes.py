@@ -114,8 +114,8 @@ def _facts(report: WorstReport) -> list[tuple[str, str]]:
         f"edge that it explores next on {ways[report.request.transit]}"
     )
     costs = (
-        "worst: the largest cost of a schedule in any world; best: in each world the cheapest "
-        "schedule, and of their costs the largest"
+        "worst: the largest cost of a schedule in any world; best: each world has a cheapest "
+        "schedule, and this is the largest of their costs"
     )
     tests = sum(row.tests for row in report.rows)
     wrong = sum(row.wrong_tests for row in report.rows)
