@@ -262,9 +262,8 @@ class _Growth:
     """A map to which edges are added; it stays in its class.
 
     Every rooted map can grow like this: its root edge first, then the rest of a spanning tree, then
-    the other edges.  In a simple class a map can always get another edge between two of its
-    vertices, until it has the largest number of edges for its vertices: in the plane it is then a
-    triangulation.
+    the other edges.  In the classes of simple maps, too, a further edge always finds two vertices
+    to join, until the map has the largest number of edges for its number of vertices.
     """
 
     def __init__(self, map_class: MapClass, root: CombinatorialMap) -> None:

@@ -38,8 +38,9 @@ WIDTH = 100
 def markdown(content: parts.ReportContent) -> str:
     """A text in Markdown: the headline, then every section.
 
-    A section with a picture, a walk or a run is shown as plain text.  Of any other section the
-    tables are shown, the curves are left out, and a reader opens the rest by a click.
+    A section with a picture, a walk or a run is shown as plain text.  Any other section is shown as
+    follows: its tables stand in the text; its curves are left out; its paragraphs, lists and other
+    texts are folded, and a click unfolds them.
     """
     head = [f"## {_plain(content.done)}: {_plain(content.subject)}"]
     if said := content.headline:
@@ -172,7 +173,8 @@ def runner_commands(content: parts.ReportContent) -> str:
 def _texts(finding: "Finding | TeamFinding", number: int) -> tuple[str, str]:
     """A finding as one line, and as a text with a picture.
 
-    ``number`` is the number of the finding, which the title of the text has.
+    ``number`` is the number of the finding.  The title of the text with the picture shows this
+    number.
     """
     if not isinstance(finding, Finding):
         from allworlds.reports.content import team
@@ -189,10 +191,11 @@ def _at(
 ) -> SourceLine | None:
     """The line of the user's code to which a finding belongs.
 
-    For one robot the line is that of the explorer's error, or of its first wrong step, checkpoint
-    or end.  For a team the line is the one where the program begins that breaks the law, or the
-    program of robot 0 if no single program breaks the law.  If this line is unknown, or its file is
-    not inside the folder ``root``, ``source`` is returned.
+    If the finding is about one robot, the line is the one that caused the explorer's error; without
+    an error it is the line that led to the first wrong step, or the line of the wrong checkpoint or
+    answer.  If the finding is about a team, the line is the first line of the program that breaks
+    the law, or of robot 0's program if no single program breaks the law.  If this line is unknown,
+    or its file is not inside the folder ``root``, the line ``source`` is returned.
     """
     if not isinstance(finding, Finding):
         blamed = place_of_explorer(finding.programs[finding.robot or 0])
@@ -248,10 +251,11 @@ def _rule(law: str, asked: str) -> dict[str, Any]:
 def sarif(content: parts.ReportContent) -> str:
     """The report as a SARIF log with one run.
 
-    Every law is a rule.  Every finding is a result, whose message has the picture and the walk.
-    The place of a result is the line that :func:`_at` finds, or, if this is no line of the
-    repository, the line that :func:`_source_of_check` finds.  A verdict for which :data:`LEVELS`
-    has a level is a notification, and so is each remark of the report.
+    Every law becomes a rule of SARIF. Every finding becomes a result of SARIF, whose message has
+    the picture and the walk.  The place of a result is the line that :func:`_at` finds.  If that
+    line is in no file of the repository, the place is the line that :func:`_source_of_check` finds.
+    Each remark of the report becomes a notification of SARIF, and so does the verdict if
+    :data:`LEVELS` names it.
     """
     report: Any = content.result  # of a check
     head = content.headline
@@ -307,8 +311,8 @@ def _source_of_check(root: Path) -> SourceLine | None:
 
     The files in ``root`` that are searched are, in this order: the workflow that runs, all
     workflows, ``allworlds.toml`` and ``pyproject.toml``.  If none of them names ``allworlds``, the
-    result is line 1 of the first of them; without such a file, line 1 of the first file in
-    ``root``; else None.
+    result is line 1 of the first of these files that exists.  If none of these files exists, the
+    result is line 1 of the first file in ``root``.  If ``root`` has no file, the result is None.
     """
     running = os.environ.get("GITHUB_WORKFLOW_REF", "").partition("@")[0].split("/", 2)[2:]
     options = (root / "allworlds.toml", root / "pyproject.toml")
@@ -399,15 +403,17 @@ class Format(Struct, frozen=True):
         of_content: the function that makes the file's content from the content of a report.
         suffix: the suffix of file names that means this format; empty if a user must write
             ``FORMAT:`` before the name.
-        shows: the kinds of content that the format can show; the module ``verbs`` names them.
-            Verbs whose reports have one of these kinds can write the format; empty: all verbs can.
-        library: three texts about the library that the format needs: the import name, the extra of
-            this package that installs the library, and the words for the file, with which the error
-            begins if the library is not installed.  None: no library is needed.
-        summary: the environment variable with the name of a file to which a CI service wants the
-            report added by default; empty if there is none.
-        read_by: the environment variable that tells that a CI service reads the format on stderr;
-            empty if there is none.
+        shows: the kinds of content that the format can show; the module ``verbs`` names them. A
+            verb can write the format if its reports have one of these kinds; if ``shows`` is empty,
+            all verbs can.
+        library: None if no library is needed; else three texts about the library that the format
+            needs: its import name; the extra of this package that installs it; and the words for
+            such a file, such as ``a file of Parquet``, with which the error about a missing library
+            begins.
+        summary: the name of an environment variable. A CI service puts the name of a file into this
+            variable, and expects the report in that file. Empty if there is no such variable.
+        read_by: the name of an environment variable that a CI service sets if it reads this format
+            on stderr; empty if there is none.
     """
 
     of_content: Callable[[parts.ReportContent], str | bytes]

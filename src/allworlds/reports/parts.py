@@ -45,15 +45,16 @@ class Scene(Struct, frozen=True):
             ``map.vertices``.
         pointed: the pointed darts, to which bearings are counted.
         labels: a short text for each dart, such as the letter of its class in a bisimulation; None
-            without labels.
+            without such texts.
         walked: the darts by which the robot has arrived.
-        ringed: the robot's dart at the first step at which the walk diverges from the walk in
-            another picture, a dart that pictures mark with a ring; None without a ring.
+        ringed: a dart that is drawn with a ring; None without a ring. It is the robot's dart at the
+            first step at which this walk diverges from the walk in another picture.
         darts: the names of the darts; empty if the names are their numbers.
         vertices: the names of the vertices; empty if the names are ``v0``, ``v1``, and so on.
         positions: the positions of the vertices; empty if these are not given.
-        letters: for single darts the number of marks, not 0, that a robot senses if it arrives by
-            the dart, at vertices where this number depends on the dart.
+        letters: marks that depend on the dart of arrival: a dictionary from a dart to the number of
+            marks, not 0, that a robot senses if it arrives by this dart. The vertices of these
+            darts are not in ``marks``.
     """
 
     map: CombinatorialMap
@@ -116,10 +117,12 @@ class Scene(Struct, frozen=True):
     ) -> Scene:
         """Return the scene of a map from percepts, each with the robot's dart of arrival.
 
-        A bearing gives a pointed dart, and marks give a marked vertex.  ``start`` is the dart that
-        the robot faced at the start.  ``lasting`` is True if no marks change between the percepts:
-        then different marks at one vertex depend on the dart of arrival, and become ``letters`` of
-        the scene.  If ``lasting`` is False, the last percept at a vertex tells the vertex's marks.
+        From each bearing follows a dart of ``pointed``, and from marks follows an entry of
+        ``marks`` or ``letters``.  ``start`` is the dart that the robot faced at the start.
+        ``lasting`` is True if no marks change between the percepts.  Then percepts with different
+        marks at one vertex mean that the marks depend on the dart of arrival, and the marks go to
+        ``letters``.  If ``lasting`` is False, the last percept at a vertex tells the vertex's
+        marks.
         """
         known = list(percepts)
         # What is sensed last holds: markers can be taken away.
@@ -356,11 +359,11 @@ class View(Struct, frozen=True):
         scene: the picture at the end of the walk.
         trail: the robot's dart at the start and after each step.
         note: a remark, which texts show beside the title; may be empty.
-        known: for a picture that grows, because it shows only the part of the map that the explorer
-            knows so far: the step at which each dart and each edge appears.  None for a picture
-            that shows the whole map at every step.
-        still: whether pages leave this view out, because the picture of another view grows to the
-            same map.  Texts show this view, and leave the growing view out.
+        known: None if the picture shows the whole map at every step. Else the picture grows: at
+            each step it shows the part of the map that the explorer knows then. ``known`` tells at
+            which step each dart and each edge appears.
+        still: whether only texts show this view. Pages show another view of the same map instead,
+            whose picture grows; texts do not show that other view.
     """
 
     name: str
@@ -393,12 +396,11 @@ class ShownWalk(Struct, frozen=True):
         views: the pictures.
         sentences: sentences about the walk.
         elsewhere: the percepts of the same motions in another map; None if nothing is compared.
-        agreement: the number of darts at the beginning of the trails of the first two views before
-            the walks diverge; this is the index of the first step at which they diverge, if the
-            start is step 0.  A page pairs these darts of the two maps, and then further darts that
-            follow from the pairs.  In the page a dart or vertex of the second map has the name of
-            its partner in the first map; if the maps are the same or mirror images, a vertex has
-            its partner's position, too.  None if each map is drawn by itself.
+        agreement: the number of the first step at which the walks in the first two views diverge;
+            the start is step 0. Before this step the two trails lead through darts that belong
+            together, and a page gives them, and all that follows from them, the same names in both
+            maps. If the two maps are equal or mirror images, the second map also gets the positions
+            of the first. None if the names of the two maps have nothing to do with each other.
         parting: the step at which the explorer is first seen to be wrong, because the walk in its
             answer contradicts the world, or because its checkpoint is wrong; else None.
         tour: whether the walk has the only purpose to go along every edge; then a text shows only
@@ -561,20 +563,22 @@ class ReportContent(Struct, frozen=True):
         result: the result of the verb.
         headline: the answer in a sentence; None if the content consists of sections alone.
         sections: the sections, in the order of reading.
-        whole: further sections, which a terminal shows only under the option ``-v``.  A content has
-            either ``whole`` or ``short``, or neither.
+        whole: further sections, which a terminal shows only under the option ``-v``. Empty if there
+            are facts in ``short``.
         more: a function that makes sections with walks to step through, for pages alone; it may
             play runs again.
         rows: a function that makes the rows of a CSV file; None: the steps of the first walk.
         cases: a function that makes the cases for test runners; None without cases.
-        command: the arguments of the command line on which the result depends.  The name of each
+        command: the arguments of the command line on which the result depends. The name of each
             case in a file for test runners begins with these arguments, so that the cases of two
             reports have different names.
-        page: a function that makes the page; None: a page of these sections.
-        apart: the keys of the result's JSON document that a page leaves out of its copy of the
-            document, because sections on the page have their values as a :class:`DataRecord`.
-        short: facts that a terminal shows in place of the last of ``sections``, unless the option
-            ``-v`` is given: pairs of a name and a sentence of one line.
+        page: a function that makes the page; None if the page consists of the sections of this
+            content.
+        apart: some keys of the result's JSON document. A page holds a copy of the document without
+            these keys, because the sections on the page hold their values (:class:`DataRecord`).
+        short: facts in short, as pairs of a name and a sentence of one line. Without the option
+            ``-v`` a terminal shows them in place of the last section, which tells the same facts at
+            length. Empty if there are sections in ``whole``.
         laws: a dictionary from the name of each law that a finding may break to a sentence about
             what the law requires.
     """
@@ -609,9 +613,9 @@ def so_far(report: Any, headline: Headline | None) -> Headline | None:
         headline: the headline about the finished part of the job; None if no part was finished.
 
     Returns:
-        ``headline`` itself, also if it is None, for a complete job; else a new headline.  If the
-        verdict of ``headline`` is ``refuted`` or ``error``, the new headline has the same word and
-        verdict; else it has the word INCONCLUSIVE, and no verdict.
+        For a complete job the argument ``headline``, which may be None. For any other job a new
+            headline: it keeps the word and the verdict of ``headline`` if the verdict is
+            ``refuted`` or ``error``; else its word is INCONCLUSIVE, and it has no verdict.
     """
     if report.complete:
         return headline

@@ -58,9 +58,9 @@ def content_text(content: parts.ReportContent, width: int) -> str:
 def on_terminal(content: parts.ReportContent, width: int, *, whole: bool) -> str:
     """The text of a content for a terminal.
 
-    If the content has a headline and short facts, the headline is the last line; and if ``whole``
-    is False, the text is shortened to at most :data:`MOST` lines.  The text of any other content
-    begins with its headline, and is never shortened.
+    There are two cases.  If the content has a headline and short facts, the headline is the last
+    line, and the text is shortened to at most :data:`MOST` lines, unless ``whole`` is set.  If not,
+    the text begins with its headline, if there is one, and is never shortened.
 
     Args:
         content: the content.

@@ -49,8 +49,8 @@ WRITTEN_AS = {
 class OwnLighthouse(Struct):
     """Lighthouse of the user's own.
 
-    The JSON object has further keys: the fields of the user's class that are no options, for
-    example the dart at which the lighthouse stands.
+    The JSON object has further keys: those fields of the user's class that users cannot set by an
+    option of ``--lighthouse``, for example the dart at which the lighthouse stands.
     """
 
     kind: Annotated[doc.Text, doc.about("the name by which it is found")]
@@ -91,7 +91,10 @@ def reports_of(verb: verbs.Verb) -> list[Any]:
 
 @cache
 def pages() -> dict[str, Any]:
-    """The types of all documents, by the names of their schemas: first the reports."""
+    """The types of the documents that have a schema, by the names of the schemas.
+
+    The reports come first, and then the other documents, such as a finding or a world.
+    """
     merged = dict.fromkeys(kind for verb in verbs.VERBS if verb.swept for kind in reports_of(verb))
     return reports() | {
         "merge": Union[tuple(merged)],  # noqa: UP007  # of as many as there are
@@ -107,14 +110,15 @@ def pages() -> dict[str, Any]:
 
 
 class Shapes:
-    """The types in the schema of one document, as msgspec can describe them.
+    """The types in the schema of one document, in the form in which the library msgspec takes them.
 
     Attributes:
         written: True if the schema describes a document that this program writes: all keys that are
-            always written are required, and no other keys are allowed.  False if the schema
+            always written are required, and no other keys are allowed. False if the schema
             describes a document that this program reads: only keys without a default are required,
             and other keys are allowed if the program accepts them.
-        also: the definitions of types that msgspec cannot describe, by their names.
+        also: the schemas of those types that msgspec cannot describe, by the names of the types;
+            they are added to the schema of the document.
     """
 
     def __init__(self, *, written: bool) -> None:

@@ -114,8 +114,9 @@ class Search:
         other robots.
 
         Raises:
-            InputError: if there are too many robots, or if ``timing.within`` is set and all
-                programs are automata, whose activations are not counted.
+            InputError: if there are too many robots. Also if ``timing.within`` asks that each run
+                ends within the budget, and all programs are automata: a budget counts activations,
+                which are not counted for automata.
         """
         if len(self.program_of) > MOST_ROBOTS:
             most = f"more than {MOST_ROBOTS}, the most of a search"
@@ -153,8 +154,10 @@ class Search:
     def plan(self) -> None:
         """Plan the transitions from the last layer, which holds the newest configurations.
 
-        The percepts of the robots in these transitions go into the next messages to the programs.
-        Also note the runs that end or are cut off in this layer, and a state that is bad.
+        The next messages to the programs then ask for the actions of the robots in these
+        transitions.  Two things are noted, too: the runs that end or are cut off in this layer; and
+        the law ``never``, if the model says that the state of a configuration must never be
+        reached.
         """
         self.plans = []
         for number in self._layer:
@@ -198,12 +201,13 @@ class Search:
     def configuration(self, number: int) -> tuple[Any, tuple[int, ...], tuple[int, ...]]:
         """The state of the world, the minds of the robots, and the scheduler's counts.
 
-        The mind of a robot between Look and Move is given as ``~mind``, which is below 0.
+        A mind is a number, see :class:`Minds`.  If a robot is between Look and Move, ``~mind``,
+        which is below 0, stands in place of its mind.
 
-        The scheduler's counts are one tuple.  It begins with the number of rounds until robot 1
-        begins, if ``timing.start_delay`` is not 0.  Then, if ``timing.lead`` is not None, it has a
-        number for each robot: by how many activations the robot is ahead of the robot with the
-        fewest activations.
+        The scheduler's counts are one tuple.  If ``timing.start_delay`` is not 0, the tuple begins
+        with the number of rounds until robot 1 begins.  If ``timing.lead`` is given, which limits
+        how far a robot may be ahead, the tuple then has a number for each robot: by how many
+        activations this robot is ahead of the robot with the fewest activations.
         """
         key = self._keys[number]
         robots = len(self.program_of)
@@ -225,11 +229,12 @@ class Search:
         return self._sensed[state][robot] if self._sensed[state] else None
 
     def able(self, number: int) -> tuple[list[int], list[int]]:
-        """The robots that can be activated in a configuration, and those at the end of the budget.
+        """The robots that can be activated in a configuration, and those that have no budget left.
 
-        A robot of the second list could be activated under a larger budget.  Neither list has a
-        robot that is gone, that has ended, or that watches and senses no change; the first list has
-        no robot that the scheduler does not allow yet.
+        A robot is in neither list if it is gone, if its program has ended, or if it watches and
+        senses no change.  Of the other robots, the second list has those that have used up the
+        budget of activations.  The first list has the rest, as far as the scheduler allows to
+        activate them now.
         """
         key, able, cut = self._keys[number], [], []
         sensed = self._sensed_in(key[0])
@@ -255,10 +260,12 @@ class Search:
     def _allowed(self, able: list[int], minds: Sequence[int], counts: tuple[int, ...]) -> list[int]:
         """Those of the robots ``able`` that the scheduler allows.
 
-        The scheduler allows a robot that has begun, and that, if ``timing.lead`` is given, is fewer
-        than ``timing.lead`` activations ahead of every robot in ``able``.  A robot between Look and
-        Move may always move, because its activation is counted already.  ``minds`` and ``counts``
-        are the minds of the robots and the scheduler's counts, see :meth:`configuration`.
+        The scheduler allows a robot if two conditions hold.  First: the robot has begun.  Second,
+        if ``timing.lead`` is given: among the robots in ``able`` let k be the smallest number of
+        activations; then the robot has had fewer than k + ``timing.lead`` activations.  A robot
+        between Look and Move needs only the first condition, since its present activation was
+        counted at the look.  ``minds`` and ``counts`` are the minds of the robots and the
+        scheduler's counts, see :meth:`configuration`.
         """
         if self.timing.start_delay:
             able = [robot for robot in able if robot != 1 or not counts[0]]
@@ -348,10 +355,10 @@ class Search:
     def _looks(self, number: int, able: Iterable[int]) -> list[int]:
         """For each able robot its mind after the look, or a promise of this mind.
 
-        A promise is a number below 0, see :meth:`Minds.look`.  A robot that has looked in an
-        earlier step does not look again, but moves; its entry is ``~mind``, as in
-        :meth:`configuration`.  This entry is below 0, too, but is no promise; :meth:`_turns` knows
-        from the configuration which robots move.
+        A promise is a number below 0.  It stands for a mind that is not known before the program
+        has replied, see :meth:`Minds.look`.  A robot that has looked in an earlier step moves now,
+        and does not look again.  Its entry is ``~mind``, as in :meth:`configuration`, which is also
+        below 0, but no promise; :meth:`_turns` sees in the configuration which robots move.
         """
         key = self._keys[number]
         sensed, look = self._sensed_in(key[0]), self.minds.look
@@ -425,12 +432,13 @@ class Search:
     def following(
         self, state: Any, acts: dict[int, Any], due: dict[int, Any]
     ) -> list[tuple[Any, str]]:
-        """Each state after these actions, with the adversary's choice in words.
+        """Each state that can follow, with the adversary's choice in words.
 
         Args:
             state: the state before.
             acts: the actions that are done now, by robot.
-            due: the actions that are chosen now, at a look, and done later; by robot.
+            due: the actions that robots choose now, at a look, and will do later, by robot. They
+                change the state now only if the model has a method ``looked``.
 
         Raises:
             IllegalAction: if the model refuses an action.
@@ -514,9 +522,9 @@ class Search:
         self.ends.longest = max(self.ends.longest, *depths)
 
     def _stop(self, number: int) -> None:
-        """Note that a run ends in a configuration that never changes.
+        """Record that a run ends in this configuration, because nothing can change any more.
 
-        If the run breaks a law by this end, note the law, too.
+        If the run breaks a law by ending here, record the law, too.
         """
         if broken := self.stopped(number):
             self.broken = self.broken or broken
@@ -591,10 +599,11 @@ class Search:
         return way[::-1]
 
     def assumed(self, assumption: Assumption, before: int, index: int) -> bool:
-        """Whether the adversary's choice in a transition is of the kind that is assumed.
+        """Whether the adversary's choice in a transition is of the kind that an assumption names.
 
-        The transition has the index ``index`` and leads from the configuration ``before``.  The
-        assumption says that the adversary makes choices of this kind again and again.
+        The assumption says that the adversary makes choices of this kind again and again.  The
+        transition is the one with the number ``index`` in :attr:`graph`, and leads from the
+        configuration ``before``.
         """
         state, after = self.states[self.state_number(before)], self.graph.target(index)
         following = self.states[self.state_number(after)]

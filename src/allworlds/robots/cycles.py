@@ -87,11 +87,11 @@ def _broken_in_component(
 ) -> Broken | None:
     """The law that a cycle in a strongly connected component breaks; None if no law is broken.
 
-    A run along a cycle that meets ``criteria`` breaks ``condition``.  If a robot is activated on
-    the cycle, the broken law is ``progress``.  If only the world changes on the cycle, all robots
-    stand still for ever, and :meth:`Search.stopped` says which law is broken.  If ``stopped`` finds
-    no broken law, a second cycle is looked for, on which a robot is activated; if there is one, the
-    broken law is ``progress``, else None is returned.
+    Each cycle that meets ``criteria`` contradicts ``condition``.  First any such cycle is looked
+    for.  If a robot is activated on it, the broken law is ``progress``.  If not, all robots stand
+    still for ever, and :meth:`Search.stopped` says which law is broken by this, if any.  If it says
+    that none is, a cycle is looked for that meets ``criteria`` and on which a robot is activated;
+    if there is one, the broken law is ``progress``.
 
     ``component`` holds the numbers of the component's configurations, ``outgoing`` gives the
     transitions that a cycle may use.
@@ -128,11 +128,13 @@ def _criteria_of(search: Search, condition: Liveness) -> Iterator[Criterion]:
 
     There are three kinds of conditions:
 
-    - No robot acts from some time on: the cycle must have a transition in which a robot acts.
-    - A condition on states must hold from some time on: the cycle must have a transition from a
-      configuration in which the condition does not hold.
-    - A condition on states must hold again and again: there is no criterion.  The component has
-      only configurations in which the condition does not hold, so every cycle breaks the condition.
+    - The condition demands that from some time on no robot acts: the criterion is a transition in
+      which a robot acts.
+    - It demands that something holds in all states from some time on: the criterion is a transition
+      from a configuration in which it does not hold.
+    - It demands that something holds in a state again and again: there is no criterion, since the
+      caller then gives only configurations in which it does not hold, so that every cycle breaks
+      the condition.
     """
     if condition.holds is None:
         yield lambda _before, index: bool(search.graph.has_action(index))

@@ -80,9 +80,9 @@ class Graph:
             self._first.append(len(self._packed))
 
     def add(self, target: int, bits: int, *, has_action: bool) -> None:
-        """Add a transition to the configuration ``target``.
+        """Add a transition that leads to the configuration ``target``.
 
-        The transition leads from the configuration for which :meth:`begin` was called last.
+        The transition begins at the configuration for which :meth:`begin` was called last.
 
         ``bits`` is the bit set of the activated robots; ``has_action`` says whether any of these
         robots acts in the world.

@@ -69,8 +69,10 @@ class RobotProgram(Protocol):
     def replies(self, turns: Sequence[NumberedTurn]) -> Sequence[bytes]:
         """The program's reply in each turn: bytes that :func:`allworlds.protocol.turns.said` reads.
 
-        ``turns`` has only new turns.  The program remembers all turns of earlier calls, and the new
-        turns refer to them by number.  A generator's reply to the first turn of a history is empty.
+        ``turns`` has only new turns.  The program remembers all turns of earlier calls, and a new
+        turn names the turn before it by its number (:data:`allworlds.protocol.turns.NumberedTurn`).
+        In the first turn of a history the program is only started, and gets no percept; so the
+        reply of a generator is empty.
         """
 
 
@@ -99,7 +101,7 @@ class Dialogue(Struct):
 
 
 class Minds:
-    """The minds of all robots in some searches.
+    """The minds of all robots, shared by several searches.
 
     A mind is a number.  It stands for all that a robot's program remembers, with the action that
     the robot has still to do.
@@ -110,11 +112,10 @@ class Minds:
     Attributes:
         value: for each mind the action that is due, or the end or the fault of its program; None if
             no action is due.
-        sensed: for each mind the last percept, if the mind is a history, or if the due action is
-            Watch, because then the next percepts are compared with this one; else None.
+        sensed: for each mind the last percept, if it is needed: a mind that is a history contains
+            it; and if the due action is Watch, the next percepts are compared with it. Else None.
         depth: for each mind the number of activations; 0 for automata.
         watches: for each mind whether the due action is Watch.
-
         dialogues: for each program its turns and replies.
     """
 
@@ -247,13 +248,13 @@ class Minds:
         return self._automaton(program, self._memory[mind], None, None)
 
     def precedes(self, mind: int, before: int) -> bool:
-        """Whether a robot with the mind ``mind`` can have a turn with the second number ``before``.
+        """Whether a turn can be the next turn of a robot that has the mind ``mind``.
 
-        A turn is a :data:`allworlds.protocol.turns.NumberedTurn`.  Its second number is, for a
-        generator, the robot's mind before the turn; for an automaton, the number of the memory
-        before the turn.  For :data:`BEGIN`, the second number of the first turn of a history, the
-        result is True for the mind of a generator before its first percept, and for every mind of
-        an automaton whose due action is not Watch.
+        ``before`` is the second number of the turn (:data:`allworlds.protocol.turns.NumberedTurn`),
+        which says what the program remembers before the turn: for a generator it is a mind, for an
+        automaton the number of a memory.  :data:`BEGIN` is the second number of a first turn.  For
+        BEGIN the result is True if the mind belongs to a generator that has got no percept yet, or
+        to an automaton whose due action is not Watch.
         """
         automaton = self.dialogues[self._program_of[mind]].automaton
         first = self.depth[mind] == 0 and self.sensed[mind] is None
@@ -286,10 +287,10 @@ def value_of(letter: str, words: Any) -> Any:
     Args:
         letter: the kind of the reply: ``ACTION``, ``ENDED`` or ``FAULT`` of
             :mod:`allworlds.protocol.turns`.
-        words: what the reply says.  With the letter ``ACTION`` it is the action in the form that
-            :func:`allworlds.protocol.turns.action_of` reads, or None for no action; with the other
-            two letters the last entry of a log, see :class:`allworlds.log.Log`, which has the
-            answer or the fault.
+        words: the content of the reply. For ``ACTION`` it is the action in the form that
+            :func:`allworlds.protocol.turns.action_of` reads, or None for no action. For the other
+            kinds it is the entry with which a log ends (:class:`allworlds.log.Log`): the answer, or
+            the fault.
     """
     if letter == ACTION:
         return None if words is None else action_of(words)

@@ -28,7 +28,7 @@ SCHEDULERS: tuple[Scheduler, ...] = "fsync", "ssync", "central", "async"
 
 
 class Liveness(NamedTuple):
-    """A condition on every infinite run of automata that is fair.
+    """A condition on every fair run of automata that never ends.
 
     A run is fair if no robot that can always be activated is left out for ever.
 
@@ -36,8 +36,8 @@ class Liveness(NamedTuple):
         name: the condition in words, such as ``robot 0 at vertex 3``.
         forever: whether the condition must hold at all times from some time on (FG); else it must
             hold again and again (GF).
-        holds: the function that says whether the condition holds in a state; None for the condition
-            that no robot acts.
+        holds: the function that says whether the condition holds in a state. None stands for the
+            condition that no robot acts any more.
     """
 
     name: str

@@ -99,9 +99,9 @@ class ProgramPlayer:
     def _after(self, lost: Lost, turns: Sequence[NumberedTurn]) -> list[bytes]:
         """The replies in all turns ``turns``, after the player was lost in one of them.
 
-        The lost player has left the index of that turn.  A new player takes the turns before that
-        turn, then that turn alone; if the new player is lost in that turn, too, the reply is a
-        fault, and another player is started.  The player then takes the remaining turns.
+        The lost player has left the index i of that turn.  A new player takes the turns before turn
+        i, and then turn i alone.  If it is lost in turn i, too, the reply to turn i is a fault, and
+        a third player is started.  In both cases the last player takes the turns after turn i.
         ``lost`` says how the first player was lost.
 
         Raises:

@@ -91,12 +91,13 @@ class SearchLane:
     def turn(self, others: Sequence[int] = ()) -> list[PartialResult]:  # noqa: ARG002  # they wait
         """Do the next part of the work on the unit, and return the result of this part.
 
-        A part is up to :data:`AT_ONCE` searches, or, after all searches, the second play of the
-        programs.  After these parts one more call returns a result with an empty tally, in which
-        ``last`` is True: the unit is done.
+        A part is up to :data:`AT_ONCE` searches.  After all searches one more part is the second
+        play of the programs.  After all parts one more call returns a last result: its tally is
+        empty, and its field ``last`` is True, which says that the unit is done.
 
         Args:
-            others: not used here; other lanes stop waiting when one of these descriptors is ready.
+            others: not used here. Other lanes wait for messages, and stop waiting once one of these
+                file descriptors can be read.
 
         Raises:
             InputError: if a program cannot be loaded, or the model has an error.
@@ -192,11 +193,12 @@ class SearchLane:
 def _where_sensed(
     search: Search, program: int, found: Difference, minds: Minds
 ) -> tuple[int, tuple[int, ...], int] | None:
-    """Find the first configuration in which a robot can have the turn of ``found`` as its next one.
+    """Find the first configuration in which a certain turn can be a robot's next turn.
 
-    In this turn two plays of the program with the number ``program`` differ.  Return the number of
-    the configuration, a group of robots that can be activated there at once, and the robot, which
-    belongs to the group.  Return None if there is no such configuration.
+    In this turn, that of ``found``, two plays of the program with the number ``program`` differ.
+    Return what a finding needs to show the turn in a run: the number of the configuration, a group
+    of robots that can be activated there together, and the number of the robot, which belongs to
+    the group.  Return None if there is no such configuration.
     """
     _, before, sensed = found.turn
     planned = {number for number, _, _ in search.plans}

@@ -75,8 +75,8 @@ def search(
         scheduler: ``fsync``, ``ssync``, ``central`` or ``async``; by default the model's first.
         budget: the largest number of activations, in a run, of a robot whose program is a
             generator.
-        within: a budget in place of ``budget``; a run that exceeds this budget breaks the law
-            ``budget``.
+        within: a number of activations that is used in place of ``budget``, and that is a law: a
+            run that exceeds it breaks the law ``budget``.  None: ``budget`` only cuts runs off.
         lead: the largest number of activations by which a robot may be ahead of another robot; None
             for no limit.
         start_delay: the largest number of rounds by which robot 1 may begin later than the others.

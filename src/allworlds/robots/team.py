@@ -176,9 +176,10 @@ class TeamTally:
 
     @property
     def worlds(self) -> int:
-        """The number of rooted maps: the sum of the rows' ``maps``, not of their ``worlds``.
+        """The number of rooted maps, which is the sum of ``maps`` over all rows.
 
-        Listeners and the tallies of other jobs call rooted maps worlds.
+        The progress of a job is counted in rooted maps, so this property has the name that other
+        tallies use for them.  ``TeamRow.worlds`` counts maps with starts.
         """
         return sum(row.maps for row in self.rows.values())
 
@@ -255,8 +256,9 @@ class TeamScope(Struct, frozen=True):
         """The searches of a unit, in a fixed order.
 
         Each item is a pair.  The first value says whether the item is the first of its map.  The
-        second value is the search; for a map without a start, this value is the model in the map,
-        and nothing is searched.
+        second value is the search.  If the model allows no start in a map, nothing is searched
+        there; the map still has one item, so that it is counted, and its second value is the model
+        in this map.
         """
         for map_ in unit.maps(self.extent):
             world, first = ModelInMap(self.model.model, map_, self.model.name), True

@@ -169,9 +169,10 @@ class TeamFinding(doc.Document, forbid_unknown_fields=False, kw_only=True):
 
     @property
     def rank(self) -> tuple[Any, ...]:
-        """The key by which findings are ordered: :attr:`key`, and then the law.
+        """The key by which all findings are sorted: :attr:`key`, and then the law.
 
-        The law decides between several findings in one world.
+        Two findings in the same world with the same starts have the same :attr:`key`; of these, the
+        finding comes first whose law comes first in :data:`LAWS`.
         """
         return self.key, [*LAWS].index(self.law)
 

@@ -44,12 +44,13 @@ _LEGEND = {
 def draw(scene: Scene, width: int = 80) -> str:
     """The scene as an arc diagram; if it is wider than ``width``, as a :func:`rotation_table`.
 
-    The diagram begins at the start.  A vertex without a name is ``v`` with its index in
-    ``map.vertices``.  Below the darts are their labels, the names of the vertices with their
-    markers, and signs, which :func:`_signed` lists.  Lines do not end with a space, the text does
-    not end with a newline.
+    The diagram begins at the start.  Below the darts there are three kinds of lines: first the text
+    that ``scene.labels`` has for each dart; then the names of the vertices, with their markers;
+    then the signs that :func:`_signed` lists.  A vertex without a name is called ``v`` and its
+    index in ``map.vertices``.  Lines do not end with a space, and the text does not end with a
+    newline.
 
-    Cost: O(m), and O(m^2) for a diagram, which has less than ``width`` darts.
+    Cost: O(m) for a table, O(m^2) for a diagram.
     """
     map_, labels = scene.map, scene.labels
     groups = _groups(map_, scene.root)
@@ -82,8 +83,9 @@ def rotation_table(scene: Scene, width: int = 80) -> str:
     """The scene as a table: a line for each vertex with name, degree and its darts clockwise.
 
     The order is that of :func:`draw`.  Each dart is written ``dart→vertex.dart``, with the other
-    end of its edge.  The signs of a dart stand before it, its label in square brackets after it.
-    Only the legend is kept within ``width``.
+    end of its edge.  The signs of a dart stand before it; the text that ``scene.labels`` has for
+    the dart stands after it, in square brackets.  The rows may be wider than ``width``; only the
+    legend is wrapped to this width.
 
     If there are more than :data:`LONGEST_ROW` vertices, or darts of a vertex, the first and the
     last of them are shown, with the number of those between.
@@ -128,10 +130,10 @@ def _signed(scene: Scene) -> dict[str, Sequence[Dart]]:
 def _groups(map_: CombinatorialMap, root: Dart) -> list[list[Dart]]:
     """The darts of each vertex, clockwise from the dart by which the vertex is found.
 
-    The vertices are in the order in which they are found, breadth first from ``root``.  At each
-    vertex the search tries the darts in the reverse of the order that the result has.  So, of
-    the new vertices behind the darts of one vertex, the one behind the last dart comes first in the
-    result, and in the drawing the arcs to these vertices are nested instead of crossing.
+    The vertices are in the order in which a breadth-first search from ``root`` finds them.  At each
+    vertex the search follows the last dart of the group first.  So the vertex at the other end of
+    the last dart comes next in the drawing, and the arcs from one vertex are nested and do not
+    cross.
     """
     found = {map_.vertex_of[root]}
     groups = [_turned(map_, root)]
@@ -205,10 +207,11 @@ def _row(texts: Mapping[int, str]) -> str:
 
 
 def _legend(signs: set[str], scene: Scene, width: int) -> str:
-    """The legend of a picture: the meaning of each sign in it, and cut names of vertices in full.
+    """The legend of a picture: the meaning of each sign in it, and the whole names that were cut.
 
-    ``signs`` are the brackets, arcs or arrows of the picture.  Signs for markers, for labels and
-    for single darts are added if the scene has them.
+    ``signs`` are the brackets, arcs or arrows that the picture is drawn with.  The function adds
+    the signs for markers, for texts below darts and for single darts, if the scene has such things.
+    A long name of a vertex is cut in the picture; the legend has this name whole.
     """
     signs |= {"●"} if any(scene.marks.values()) else set()
     signs |= {"a"} if scene.labels is not None else set()

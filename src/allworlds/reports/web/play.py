@@ -15,10 +15,11 @@ from allworlds.words import plural
 
 
 def play_content(play: Play) -> parts.ReportContent:
-    """The content for a game: the world, the reader's walk in the world, and the costs.
+    """The content for a game that was played in the terminal, or will be played on a page.
 
-    These are the parts of a game that was played in the terminal.  If the reader will play on a
-    page, the content is only the path of this page, and tells nothing about the world.
+    After a game in the terminal, the content is the world, the reader's walk in the world, and the
+    costs.  If the reader is to play on a page, the content says only in which file this page is,
+    and tells nothing about the world.
     """
     if play.path is not None:
         headline = parts.Headline("PAGE", f"{play.path}, to be opened in a web browser")

@@ -55,14 +55,15 @@ def framed(
 ) -> str:
     """A page as an HTML document that refers to no other file.
 
-    A browser runs only the style and the scripts of the page, which the page names by their hashes.
+    The page tells the browser the hashes of its own style and scripts, and forbids all others.  So
+    text of a user that looks like a script is never run.
 
     Args:
         title: the command and its subject.
         verdict: the verdict as a word, as a sentence, and as the name that decides its colour; None
             without a verdict.
         sections: the elements of the page.
-        data: the JSON document of the report, which the page also holds, unless the page would be
+        data: the JSON document of the report. The page holds it, too, unless the page would then be
             larger than :data:`LARGEST`.
         style: a style in addition to that of all pages.
         script: a script in place of the usual script, by which keys step along walks.
@@ -137,9 +138,9 @@ def figure(
         title: the caption.
         scene: the content of the picture.
         name: the id of the picture's element, unique in the page.
-        follows: a word for the robot in the picture.  Each step of the walk has the attribute
-            ``data-WORD`` with the robot's dart, by which the page's script moves the robot.  Empty:
-            there is no robot that moves.
+        follows: the word W for the robot in the picture; empty if no robot moves in the picture.
+            Each step of the walk has an attribute ``data-W`` with the dart of the robot, and the
+            page's script moves the robot to this dart.
         drawn: the layout; by default that of :func:`laid_out`.
         moves: whether the walk has motions, so that the legend explains the signs of walked edges.
     """
@@ -236,7 +237,11 @@ def _steps(walk: ShownWalk, name: str, views: Mapping[str, View]) -> ET.Element:
 
 
 def _at(walked: Walked) -> str:
-    """The word before the name of the robot's vertex: ``at``; empty if vertices have labels."""
+    """The word before the name of the robot's vertex, as in ``at v1``.
+
+    It is empty if the user's file gives names to the vertices, such as ``kitchen``: a name alone
+    can be read.
+    """
     return "" if walked.world.labels.vertices else "at "
 
 

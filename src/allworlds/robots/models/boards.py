@@ -40,11 +40,12 @@ class WhiteboardModel(Model):
 
     ``Do({"write": value, "move": k})`` writes, then moves; one of the two keys may be missing.
     ``Move(k)`` and ``Write(k)`` are short for an action with one key.  If several robots write on
-    one board at once, the adversary chooses which robot writes last.
+    one board in the same round, the adversary chooses which robot writes last.
 
     Attributes:
-        at_once: whether a robot reads and writes a board in one step, as asynchronous agents do;
-            else a robot writes when it moves, and other robots may have written since its look.
+        at_once: whether a robot reads and writes a board in one step, as asynchronous agents do. If
+            not, a robot reads when it looks and writes when it moves; under the scheduler ``async``
+            other robots may write in between.
     """
 
     at_once: bool = False

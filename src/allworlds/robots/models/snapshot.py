@@ -33,8 +33,8 @@ class SnapshotState(NamedTuple):
     Attributes:
         darts: the heading of each robot, see :class:`Snapshot`; without chirality the least dart at
             the robot's vertex.
-        due: for each robot the dart by which it will leave, if its look has decided the dart; else
-            None.
+        due: for each robot the dart by which it will leave at its move, if it has looked and this
+            dart is decided already; else None.
         crossed: whether two robots have just crossed on an edge; always False if crossing is legal.
     """
 

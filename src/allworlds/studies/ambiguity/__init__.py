@@ -19,7 +19,8 @@ separation
 sensor
     A lighthouse, as far as it decides what a robot senses at each dart.
 coarsening
-    A sensor that tells no more percepts apart than a given sensor, the finest one.
+    A sensor made from a given sensor, the finest one: it shows some different letters of the
+    finest sensor as one letter.
 
 Modules
 -------
@@ -36,13 +37,13 @@ Modules
     the weakest sensors that suffice, among all coarsenings of a finest sensor; a sensor suffices if
     no two worlds with different rooted maps look alike under it;
 ``question``
-    the question of a search: are there two different worlds that no motion tells apart, and that
-    have the given lighthouse, class, bounds and percepts on a walk?
+    the question of a search: are there two different worlds that no motion tells apart?  The
+    question names a class, a lighthouse and the largest sizes, perhaps percepts on a walk;
 ``twin_search``
     the search for two such worlds, from the smallest worlds on;
 ``clauses``, ``one_world``, ``formulas``
-    the clauses of a formula; the formulas of one world, and of two worlds that no motion tells
-    apart;
+    the clauses of a propositional formula; the formula whose solutions are worlds; the formula
+    whose solutions are pairs of worlds that no motion tells apart;
 ``solvers``, ``proofs``
     the solvers of formulas, and checkers of proofs that there are no twins; twins
     that were found are checked by :mod:`allworlds.world.bisimulation`.
