@@ -171,8 +171,9 @@ def main() -> NoReturn:
 def call(arguments: list[str]) -> int:
     """Run a verb in this process and return its exit code; this function raises no exception.
 
-    While the verb runs, facts about the command are kept in context variables, such as the options
-    that the user's file sets.  These facts are dropped when the verb ends.
+    If the verb fails, a message is printed on stderr, and the exit code tells its kind.
+    While the verb runs, context variables hold facts about the command, for example the options
+    that the user's file sets; they are reset when the verb ends.
 
     Args:
         arguments: the words of the command, without the program's name.

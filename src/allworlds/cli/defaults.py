@@ -166,7 +166,8 @@ def _command(root: Any, name: str) -> Any:
 def _options(command: Any) -> dict[str, Any]:
     """The options and arguments of a click command, by the names that a user's file has for them.
 
-    Such a name is the longest name of the option, in small letters and without dashes before it.
+    The name of an option is its longest name on the command line, without the dashes at the
+    beginning, in small letters.  The name of an argument is its own name in small letters.
     """
     return {
         max(param.opts, key=len).lstrip("-").lower(): param

@@ -89,16 +89,20 @@ def output_of(verb: str) -> type[OutputGroup]:
 
 
 def _times_named(path: str) -> int:
-    """The number of words of the command that name the file with this path."""
+    """The number of words of the command that name the file with this path.
+
+    If an existing file is named as output and by a second word, it is an input, too, which the
+    output would destroy.
+    """
     real = os.path.realpath(path)
     return sum(real in _files_in(word) for word in words_of_command())
 
 
 def _files_in(word: str) -> set[str]:
-    """The real paths that a word of the command may name.
+    """The real paths of the files that a word of the command may name.
 
-    In a word such as ``--option=VALUE`` only the value is searched.  The path may be the whole
-    text, may follow ``@``, or may be on either side of a colon.
+    In a word such as ``--option=VALUE`` only VALUE may name a file.  The name of the file may be
+    the whole text, the text after ``@``, the text before a colon, or the text after a colon.
     """
     value = word.partition("=")[2] if word.startswith("--") else word.removeprefix("-o")
     found = set()
@@ -284,8 +288,8 @@ def answered(function: Callable[..., Answer], request: Any, output: OutputGroup)
         output: the options for the output.
 
     Raises:
-        InputError: if the request has a value for the option ``by``, which says whether a row of a
-            CSV or Parquet file is about a size, a world or a run, and no such file is written.
+        InputError: if the user has given the option ``by``, but no CSV or Parquet file is to be
+            written: the option only chooses what a row of such a file is about.
     """
     from allworlds.studies.swept import RowOptions
 
@@ -392,10 +396,10 @@ class Progress(Listener):
     On a terminal there is a bar for each stage of the job, with the exact total and the time left.
     A *stage* is a level of worlds, or another part of a job that is counted by items, such as the
     claims of a ledger.  If no item is finished for :data:`SILENCE` seconds, a line tells of the run
-    in progress; the time until the next such line is doubled each time.
+    in progress; each further line comes after twice the time.
 
     Args:
-        quiet: whether neither the bar nor any line is shown.
+        quiet: whether nothing is shown: no bar, and no line.
         clock: the function that returns the present time in seconds.
     """
 

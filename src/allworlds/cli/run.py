@@ -26,10 +26,10 @@ from allworlds.world.named import names_of_worlds, world_named
 
 
 class RunWords(ProgramWords):
-    """The arguments and options of ``run`` that differ from those of :func:`allworlds.run`.
+    """The options and arguments of ``run`` that :func:`allworlds.run` takes in another form.
 
-    Some of them name the explorer and its world, for which the function has arguments of another
-    form.  For the others, such as ``--pdb``, the function has no argument.
+    The explorer and the world are words on the command line, but objects in Python.  Other options,
+    such as ``--pdb``, exist only on the command line.
     """
 
     arguments: Annotated[
@@ -156,8 +156,9 @@ class _Stopping:
     def send(self, reply: Any) -> Any:
         """Send a reply to the explorer, and return the explorer's next message.
 
-        The reply is a percept; it is None at the beginning, and after a checkpoint.  With the last
-        of the ``left`` percepts the debugger stops in the explorer.
+        The reply is a percept; it is None at the beginning, and after a checkpoint.  When ``left``
+        further percepts have been sent (at the beginning if ``left`` is 0), the debugger stops in
+        the explorer, which has just got the reply.
         """
         self._left -= reply is not None
         if not self._left:

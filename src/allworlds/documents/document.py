@@ -81,7 +81,8 @@ class ReadBy(NamedTuple):
 def read_by(kind: Any, read: Callable[[Any], Any] | None = None) -> Meta:
     """The annotation for a field with a type that msgspec cannot read.
 
-    The type of the field is then ``Annotated[Any, read_by(kind, read)]``, so msgspec sees Any.
+    Annotate such a field with ``Annotated[Any, read_by(kind, read)]``: for msgspec the type of the
+    field is Any, and this program reads the value itself.
 
     Args:
         kind: the field's true type.
@@ -354,7 +355,8 @@ def plain(value: Any) -> Any:
 def plain_at_once(value: object) -> Any:
     """The JSON value for a value that consists of JSON values, structs, dataclasses and tuples.
 
-    Tuples stay tuples.  Cost: a fifth of the cost of :func:`plain`.
+    Tuples stay tuples, which Python writes as lists of JSON. This function takes a fifth of the
+    time of :func:`plain`.
     """
     return to_builtins(value)
 

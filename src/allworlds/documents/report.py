@@ -73,9 +73,10 @@ class Report(Paged, Document, kw_only=True):
 
     @property
     def facts(self) -> Facts:
-        """The facts on which the exit code depends.
+        """The facts on which the exit code depends, such as that a law is broken.
 
-        By default the command has done its work, and the exit code is 0.
+        This base class returns no such fact, so that the exit code is 0; classes with a verdict
+        override the method.
         """
         return Facts()
 

@@ -1,17 +1,17 @@
 """All runs in small worlds, in two opposite orders, to find runs that change a later run.
 
-An :class:`AcrossUnit` consists of all runs in worlds with up to a number of edges, say N runs.  Two
-processes play these runs, and no others::
+An :class:`AcrossUnit` consists of all runs in all worlds up to some size.  Let N be the number of
+these runs.  Two processes play them, and no others::
 
     one process:      run 1, run 2, ..., run N
     another process:  run N, ..., run 2, run 1
 
-If no world has more than :data:`TWICE` edges, the other process then plays run 1, run 2, ..., run N
-once more, so that each run is also played after itself.
+So of any two runs, each is played before the other in one of the two processes.  If no world has
+more than :data:`TWICE` edges, the other process then plays run 1, run 2, ..., run N once more; so
+it plays each run after the same run, too.
 
-So of any two runs, each is played before the other in one of the two processes.  If a run has
-different logs in the two processes, a bisection finds a few earlier runs that suffice to cause the
-difference.  The plays are not counted, because each run is counted in another unit.
+If a run has different logs in the two processes, a bisection finds a few earlier runs that suffice
+to cause the difference.  The plays are not counted, because each run is counted in another unit.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -64,11 +64,12 @@ class FirstLog(NamedTuple):
 
 
 def remember(batch: RunBatch, known: dict[AtPlace, FirstLog]) -> None:
-    """Add the runs of a batch to ``known``, with the logs of their first plays.
+    """Add the runs of a batch to ``known``, each with the log of its first play.
 
-    ``known`` is a dictionary from the map and the place of a run to the run.  The runs are added in
-    the order of the plays.  No run is added if the worlds have more than :data:`ACROSS` edges, or
-    if compiled code has played the runs, which then were played in another order.
+    The keys of ``known`` are the map and the place of a run.  The runs are added in the order in
+    which they were played.  Nothing is added if the worlds have more than :data:`ACROSS` edges.
+    Nothing is added, too, if compiled code has played the runs, because it plays them in an order
+    that it draws itself.
     """
     unit, logs, broken = batch.work.unit, batch.logs[FIRST], {*batch.broken}
     small = isinstance(unit, LevelUnit | GivenUnit) and unit.edges <= ACROSS
@@ -107,7 +108,7 @@ class Across:
     Args:
         setup: the explorer, with the limits of its players.
         judge: the judge of the explorer's runs.
-        work: the unit (an :class:`AcrossUnit`), with the state of the work on it.
+        work: the state of the work on the unit, which is an :class:`AcrossUnit`.
         seeds: the hash seeds of the two processes.
 
     Attributes:
@@ -116,9 +117,10 @@ class Across:
         found: a dictionary from the index of each run that refutes the explorer to the outcome of
             the run.
         odd: a list of pairs: the index of a run whose two logs differ, and the log of its second
-            play.  For these runs the caller must find out the cause, which may be the hash seeds.
-            The list is empty before :meth:`settle`.  It is also empty if :meth:`settle` finds one
-            run that is changed by earlier runs: this run, whose outcome is in ``found``, is enough.
+            play. The caller must find out why they differ; the reason may be the hash seeds. The
+            list is filled by :meth:`settle`. It stays empty if :meth:`settle` finds a run whose log
+            is changed by earlier runs, because this run, which is in ``found``, refutes the
+            explorer already.
     """
 
     def __init__(
@@ -135,13 +137,13 @@ class Across:
     def begin(self, known: Mapping[AtPlace, FirstLog]) -> None:
         """Begin the plays of the runs of this unit.
 
-        The caller calls this method after the units that count these runs.
+        The caller does this after the other units in which these runs are counted.
 
         Args:
-            known: runs in small worlds with their logs, by the map and the place of the run.  One
-                process has played these runs, and no others, in the order of the dictionary.  If
-                ``known`` has every run of this unit, its logs serve as the first play; if not, a
-                new process plays all runs.
+            known: runs in small worlds with their logs, by the map and the place of the run. One
+                process has played these runs, and no others, in the order of the dictionary. If
+                ``known`` has all runs of this unit, these logs serve as the first of the two plays;
+                if not, a new process makes the first play.
         """
         assert isinstance(self.work.unit, AcrossUnit)
         self.begun = True
@@ -180,15 +182,14 @@ class Across:
         return [play.player for play in self._plays if play.player]
 
     def hear(self, note: Callable[[Work, Lost], None]) -> bool:
-        """Read the logs that the players have sent; return whether all plays have ended.
+        """Read the logs that the players have sent; return whether both plays have ended.
 
-        If a player is lost in a run, fresh players play this run again.  If :meth:`_is_repeated` is
-        then true, both plays end here.  If not, the loss is reported to ``note``, and a new player
-        plays all runs in the same order.
+        If a player is lost in a run, fresh players play this run again, and :meth:`_is_repeated`
+        says whether they show a fault of the explorer.  If they do, both plays end here.  If not,
+        the loss is reported to ``note``, and a new player plays all runs in the same order.
 
         Args:
-            note: the function to call with the unit and the loss, after a loss that no fresh player
-                repeats.
+            note: the function to call with the unit and the loss, if fresh players show no fault.
         """
         for play in self._plays:
             if play.player:
@@ -211,11 +212,12 @@ class Across:
             play.end()
 
     def _is_repeated(self, play: _Play, player: Any, lost: Lost) -> bool:
-        """Whether fresh players show that the loss of a player was no accident.
+        """Whether fresh players show that the loss of a player was the explorer's fault.
 
-        The result is True in two cases.  First: some of the runs that came before the run in
-        ``play`` change the log of the run; then the outcome that names these earlier runs is added
-        to :attr:`found`.  Second: a fresh player that plays the run alone is lost in the same way.
+        They show it in two cases.  First: the log of the run in which the player was lost is
+        changed by some of the runs that the player had played before it; then the outcome that
+        names these earlier runs is added to :attr:`found`.  Second: a fresh player that plays this
+        run alone is lost in the same way.
 
         Args:
             play: the play in which the player was lost.

@@ -96,12 +96,14 @@ class Work:
 
     Attributes:
         unit: the unit.
-        tally: the counts since the lane last returned a part of the unit's result.
+        tally: the counts that the lane has not returned yet; a lane returns the result of a unit in
+            several parts.
         batches: the iterator over the batches that have not been made yet; None at its end.
-        more: the runs that are to be played again, each with the script of its next schedule.
+        more: used if every schedule is tried: the runs that are to be played again, each with the
+            script of its next schedule.
         open: the number of batches that are being played or compared.
-        best: a dictionary from the number of a run to a pair: the run, and the cost of its cheapest
-            schedule so far.  It is empty unless every schedule is tried.
+        best: used if every schedule is tried, to count the cost of the cheapest schedule: a
+            dictionary from the number of a run to a pair of the run and the least cost so far.
     """
 
     unit: UnitOfRuns
@@ -215,7 +217,8 @@ class Judge(Protocol):
     def judge(self, batch: RunBatch) -> bool:
         """Judge the runs of a batch by the logs of their first play, and count the runs.
 
-        Return False if Python must play the runs again, because logs are missing.
+        Return False if logs are missing.  Then compiled code could not write them, and Python must
+        play the runs again.
         """
 
     def judged(self, due: Due, log: bytes) -> Judged:

@@ -1,13 +1,15 @@
 """The compiled engine, which checks built-in explorers, after a comparison with the Python engine.
 
-The kernel is the compiled code.  In small worlds the kernel plays and judges every run.  With
-:data:`allworlds.engines.engine_table.WALKED_FROM` edges or more, Algorithm 1 with its directional
-lighthouse walks each rooted map once.  This walk counts for every bearing: Algorithm 1 uses the
-marker's direction only to tell the darts of v0 apart, so its walk does not depend on the direction.
+The kernel is the compiled code.  In small worlds the kernel plays and judges every run.  In levels
+of :data:`allworlds.engines.engine_table.WALKED_FROM` edges or more it walks Algorithm 1 under the
+directional lighthouse only once in each rooted map, although the map has a run for each direction
+of the marker.  This one walk is counted for all of these runs: Algorithm 1 uses the direction only
+to tell the darts of v0 apart, so its walk is the same for each direction.
+
 Before the first level the Python engine plays all small worlds, while another process compiles the
-kernel.  Then the counts of the kernel must equal those of the Python engine, for runs that the
-kernel plays one by one, and for maps that it walks once.  The report names a broken law only if the
-Python engine finds that the law is broken, too.
+kernel.  Then the counts of the kernel must equal those of the Python engine.  They are compared
+twice: after the kernel has played every run, and after it has walked each map once.  The report
+names a broken law only if the Python engine finds that the law is broken, too.
 """
 
 from collections.abc import Iterator
@@ -67,10 +69,10 @@ def bounds_of(rules: Rules, edges: int) -> list[list[list[int]]]:
     """The largest legal cost for each size of maps, as nested lists.
 
     Item ``[n][d0][D]`` is the cost for maps with n vertices, degree d0 of v0 and largest degree D.
-    If the bound does not depend on one of these degrees, the list for this degree has one item.
-    Costs are cut to the range from -1 to :data:`UNBOUNDED`, which changes no verdict, because each
-    walk costs at least 0.  The item is ``UNDEFINED`` if the bound has no value, for example because
-    it divides by 0.
+    If the bound does not depend on one of these degrees, the list for this degree has one item.  A
+    cost below -1 is replaced by -1, and a cost above :data:`UNBOUNDED` by UNBOUNDED; this changes
+    no verdict, because every walk costs more than -1 and less than UNBOUNDED. The item is
+    ``UNDEFINED`` if the bound has no value, for example because it divides by 0.
 
     Args:
         rules: the rules of the runs, with the bound.
@@ -92,13 +94,13 @@ def bounds_of(rules: Rules, edges: int) -> list[list[list[int]]]:
 def tally_of(sums: arrays.Sums, unit: LevelUnit, scope: Scope, tally: Tally) -> Tally:
     """Add the kernel's counts of a unit to the empty tally, and return the tally.
 
-    To the witnesses of the tally only the numbers of worlds with a loop and of worlds with parallel
-    edges are added, not the events of Algorithm 1 in ``sums.events``.  Findings are not added.
+    Two witnesses are added: the number of worlds with a loop, and that of worlds with parallel
+    edges.  The events of Algorithm 1 in ``sums.events`` are not added, and no findings are.
 
     Args:
         sums: the kernel's results for the unit.
         unit: the unit.
-        scope: the scope, which has the bound.
+        scope: the scope; its bound gives the largest bound of each row.
         tally: the empty tally.
 
     Raises:
@@ -145,10 +147,9 @@ class is simple and the lighthouse has marks at two vertices."""
 def compare_engines(scope: Scope, subject: Subject) -> None:
     """Raise EnginesDisagree unless both engines have equal results in each small world.
 
-    A world is small if it has at most :func:`compared_to` edges.  If the scope has a level in which
-    one walk counts for all bearings, the kernel also walks each small map once, and computes from
-    this walk the map's counts for all bearings.  These counts must equal those that the kernel gets
-    by playing a run for each bearing in this map.
+    A world is small if it has at most :func:`compared_to` edges.  If in some level of the scope one
+    walk in a map is counted for every direction of the marker, two counts are compared in each
+    small map, too: the count after one walk, and the count after a run for each direction.
 
     Raises:
         EnginesDisagree: naming the first world in which the results differ.
