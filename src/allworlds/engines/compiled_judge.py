@@ -107,8 +107,9 @@ class CompiledJudge:
     def judge(self, batch: RunBatch) -> bool:
         """Judge the runs of a batch by the logs of their first play, and count the runs.
 
-        Batches must be judged in the order in which they were made.  Return False if Python must
-        play the runs again, because compiled code could not write all logs of a shared library.
+        The caller must give the batches in the order in which they were made, since the kernel
+        makes their maps again in this order.  Return False if compiled code could not write all
+        logs of a shared library; then the player must play these runs again in Python.
         """
         assert isinstance(batch, CompiledBatch)
         if self.native and batch.plain:
@@ -155,8 +156,9 @@ class CompiledJudge:
     def _by_python(self, batch: CompiledBatch) -> None:
         """Let the Python judge judge and count a batch, in place of compiled code.
 
-        This is done if compiled code cannot read a log of the batch, if Python has played the runs
-        of a shared library, or if the batch has only worlds without a place.
+        This is done in three cases: compiled code cannot read a log of the batch; Python has played
+        the runs of a shared library; or the batch has no run, but only worlds in which the
+        lighthouse has no place, which are counted.
         """
         batch.tally.add(self._python_tally(batch))
         batch.broken.extend(
@@ -178,8 +180,8 @@ class CompiledJudge:
     def _index_of(self, batch: CompiledBatch, code: Code, place: int | None) -> int:
         """The index, in the batch, of the run with this place in the map with this canonical code.
 
-        ``place`` is never None here: the kernel leaves out the place only if it walks each map
-        once, and then there are no logs.
+        The type of ``place`` is that of a field of the kernel's results.  It is never None here:
+        the kernel gives no place only if it walks each map once, and it does not do so for logs.
 
         Raises:
             EnginesDisagree: if the batch has no such run.
@@ -261,9 +263,10 @@ def _entries(
 ) -> list[tuple[Any, ...]]:
     """The entries of a message to a player, one for each run.
 
-    An entry is a tuple of six values, of the same meaning as in :meth:`PythonJudge._entry`: the
-    item of ``around``; the number that the lighthouse tells before the start, or None; False; the
-    step budget; an empty name; an empty script.
+    Each entry is a tuple of six values, as the player reads it: the world or the percepts; the
+    number that the lighthouse tells before the start, or None; whether the task has ended the run,
+    here always False; the step budget; the name of the run and the script of its choices, which are
+    empty here.
 
     Args:
         batch: the batch.

@@ -1,12 +1,11 @@
 """Units on the workers of a Dask cluster.
 
-This process sends tasks to the workers.  A *task* is some units, with an engine and a function.  By
-this function the worker makes an object that brings units to the engine within the worker: a
-transport, see :mod:`allworlds.engines.units`.  For a user's explorer this transport holds one lane.
-In this module the word *lane* means this transport within a worker.  A worker keeps a lane for
-later tasks, so that each thread of the worker starts a user's explorer only once.  A task returns
-the whole results of its units.  If a worker is lost, another worker does the tasks of the lost
-worker again.
+This process sends *tasks* to the workers; in this module a task is some units, with the engine that
+does them, and with a function.  Called on a worker, the function makes a transport: an object that
+brings units to the engine there, see :mod:`allworlds.engines.units`.  For a user's explorer the
+transport holds one lane, and so this module calls each such transport a *lane*. A worker keeps its
+lanes for later tasks, so that each thread of the worker starts a user's explorer only once.  A task
+returns the whole results of its units.  If a worker is lost, another worker does its tasks again.
 """
 
 import asyncio
@@ -244,7 +243,7 @@ def done(job: str, version: str, packed: bytes, batch: list[Any]) -> tuple[list[
 
     Raises:
         InputError: if this worker cannot do the job.
-        ClusterLost: if the job has ended.
+        ClusterLost: if the job has ended meanwhile, so that nobody needs these results.
     """
     state, began, results = _JOBS.setdefault(job, _Job()), perf_counter(), dict[str, Sum]()
     with state.turn:

@@ -238,11 +238,11 @@ def kind_of(kind: type[base.Lighthouse]) -> str:
 
 
 def walks(scope: Scope, subject: Subject, edges: int) -> bool:
-    """Whether one walk in each map with this number of edges may count for all bearings.
+    """Whether one walk in a map stands for the runs under all directions of the marker.
 
-    This is so from :data:`WALKED_FROM` edges on, for Algorithm 1 with the directional lighthouse in
-    the class ``maps``, if the laws and the step budget are the default ones, and if the bound
-    depends on n and m alone.
+    This is so if all of the following hold: the maps have at least :data:`WALKED_FROM` edges, and
+    are all maps (the class ``maps``); the explorer is Algorithm 1 under the directional lighthouse;
+    the laws and the step budget are the default ones; and the bound depends on n and m alone.
     """
     rules = scope.rules
     return (
@@ -265,9 +265,9 @@ class EngineKind:
     name = "python"
 
     def symmetry(self, scope: Scope, subject: Subject) -> str:  # noqa: ARG002  # never
-        """Return the reason why one run may count for several runs.
+        """Return the text that tells users why one run stands for several runs.
 
-        The reason is a text, which is empty if each run is played.
+        It is empty if each run is played, as here.
         """
         return ""
 
@@ -290,9 +290,9 @@ class Compiled(EngineKind):
     name = "kernel"
 
     def symmetry(self, scope: Scope, subject: Subject) -> str:
-        """The reason, for the report, why one walk in a large map counts for every bearing.
+        """The text that tells users why one walk in a large map stands for several runs.
 
-        The text is empty if a walk counts only for its own bearing, so that every run is played.
+        It is empty if each run is played.
         """
         if not walks(scope, subject, scope.extent.levels[-1]):
             return ""
@@ -366,11 +366,11 @@ EngineName: TypeAlias = Annotated[str, one_of(*ENGINES)]
 def why_not_compiled(scope: Scope, subject: Subject, memory: int | None = None) -> str:
     """The reason why a check cannot use the compiled engine, if the user must be told of it.
 
-    The result is empty if the compiled engine can do the check, or if the user's limit of the
-    memory keeps compiled code out (:func:`_is_kept_out`).  Else let m be the number of edges of the
-    last level.  The user is told the reason in two cases: if the explorer is a shared library, and
-    m is at least :data:`COMPILED_FROM`; or if only the package numba is missing, and m is larger
-    than :data:`COMPILED_FROM`.  In all other cases the result is empty.
+    The user is told if the check would have taken far less time, and may have expected it.  Let m
+    be the number of edges of the last level.  The explorer is a shared library and m is at least
+    :data:`COMPILED_FROM`; or only the package numba is missing, which can be installed, and m is
+    larger than :data:`COMPILED_FROM`.  In all other cases the result is empty.  It is also empty if
+    the user's own limit of the memory keeps compiled code out (:func:`_is_kept_out`).
 
     ``memory`` is the limit of the address space in MB; None without a limit.
     """
@@ -394,12 +394,11 @@ def _is_kept_out(subject: Subject, memory: int | None) -> bool:
 
 
 def engine_for(name: str, scope: Scope, subject: Subject, memory: int | None = None) -> EngineKind:
-    """The engine called ``name``; for ``auto`` the compiled engine if it can do the check and pays.
+    """The engine called ``name``; for ``auto`` the faster one that can do the check.
 
-    For ``auto`` the result is the Python engine in three cases: all worlds have fewer than
-    :data:`COMPILED_FROM` edges; the compiled engine cannot do the check; or there is a limit of the
-    memory, and the explorer is a user's and no shared library, because compiled code would then
-    lack memory.
+    For ``auto`` the result is the Python engine in three cases.  First: all worlds have fewer than
+    :data:`COMPILED_FROM` edges.  Second: the compiled engine cannot do the check.  Third: the user
+    has limited the memory, and :func:`_is_kept_out` says that compiled code has no room.
 
     Args:
         name: ``auto`` or the name of an engine.

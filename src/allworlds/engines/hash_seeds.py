@@ -1,16 +1,21 @@
 """The hash seeds of the plays, and the meaning of two plays of a run that differ.
 
-The left column says what further plays show, the right column what follows:
+The hash seed of a process determines the order in which Python goes through a set of texts.  If the
+two plays of a run, under two hash seeds, have different logs, fresh players play the run again
+under each of the two seeds:
 
     ==================================================  ======================================
-    under each seed, fresh players repeat the play      the seeds explain the difference: the run
-    of that seed every time                             is right if it is right with each seed
-    a play is not repeated, or both seeds are equal     the explorer is nondeterministic
+    what the fresh players show                         what follows
+    ==================================================  ======================================
+    under each seed they make the same log as the       the seeds explain the difference: the run
+    first player with this seed                         breaks a law only if one of the two logs
+                                                        breaks a law
+    some log is another one, or the two seeds are       the explorer is nondeterministic
+    equal
     ==================================================  ======================================
 
-A run is right if it breaks no law.  The hash seed determines the order in which Python goes through
-a set of texts.  If the walk of an explorer depends on this order, that is a remark in the report,
-not a fault.
+If the log of an explorer depends on the hash seed, and breaks no law, a remark in the report says
+so; it is no fault.
 """
 
 from collections.abc import Callable, Iterable
@@ -61,8 +66,9 @@ def are_more_tried(subject: Subject, seeds: Seeds) -> bool:
 def across(seeds: Seeds) -> Seeds:
     """The hash seeds of the two processes that play all runs in small worlds in opposite orders.
 
-    ``seeds`` are the hash seeds of the two players.  If the second of them is 0, both processes get
-    the seed 0; else they get the seeds :data:`FIRST` and :data:`OTHER_SEED`.
+    ``seeds`` are the hash seeds of the two players.  The first process gets the seed :data:`FIRST`.
+    The other process gets :data:`OTHER_SEED`, a seed that no player has; but if both players have
+    the seed 0, the user wants no other seed, and the process gets 0, too.
     """
     return FIRST, seeds[SECOND] and OTHER_SEED
 
@@ -74,11 +80,13 @@ def explain(
 ) -> bool:
     """Whether two different hash seeds are the reason why the two plays of runs differ.
 
-    They are the reason if fresh players repeat each play under the seed of this play.
+    They are the reason if the two seeds differ, and each play has the same log again when fresh
+    players play under its seed.
 
     Args:
         seeds: the seeds of the two plays.
-        plays: pairs of a play, and the plays of the same run by fresh players under the same seed.
+        plays: for each play a pair: the play; and the plays of the same run by fresh players under
+            the same seed.
         differ: the function that tells whether two plays of a run differ.
     """
     repeated = not any(differ(play, fresh) for play, again in plays for fresh in again)

@@ -84,7 +84,8 @@ class PythonJudge:
         """Return the judgement of the run ``due``, whose log is ``log``.
 
         Raises:
-            InputError: if a user's task has ended the run, and now says that the run goes on.
+            InputError: if a user's task contradicts itself: in the player it said that the run was
+                over, and asked again by the judge, it says that the run goes on.
         """
         read, rules, world = Log(log), self.rules, due.world
         episode = self.episode(world, read)
@@ -222,10 +223,11 @@ BACK = actions.Move(0)
 
 @lru_cache(1)
 def _vertex_by_vertex(map_: CombinatorialMap, start: Dart) -> dict[Dart, int]:
-    """A dictionary from each dart to the position of the first dart of its vertex.
+    """A new numbering of the darts, in which the darts of each vertex have successive numbers.
 
-    The order of the dictionary begins with the dart ``start``; in it the darts of each vertex are
-    consecutive, and clockwise.  A position is an index in this order.
+    The dart ``start`` has the number 0, and the numbers of a vertex go clockwise.  The keys of the
+    dictionary are the darts in this order; the value of a dart is the new number of the first dart
+    of its vertex.
     """
     first: dict[Dart, int] = {}
     for dart in (start, *map_.darts):

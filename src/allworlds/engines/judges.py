@@ -40,11 +40,11 @@ class Judges:
     def of(self, unit: units.UnitOfRuns) -> Judge:
         """The judge for a unit: the compiled judge, or the judge in Python.
 
-        Let N be ``compiled_from``, a number that the counter of the judge in Python holds; if N is
-        None, only the judge in Python judges.  The compiled judge judges a unit if its level, or
-        the next level of the check, has at least N worlds, and if the code of the compiled judge
-        has been compiled before.  If N is 0, this method waits for the compilation.  Before the
-        first such unit both judges are compared.
+        Let N be ``counter.compiled_from``.  The compiled judge judges the unit if three conditions
+        hold: N is not None; the level of the unit or the next level of the check has at least N
+        worlds; and the compiled judge is compiled already.  If N is 0, this method waits until it
+        is compiled; else the judge in Python goes on meanwhile.  When the compiled judge is used
+        for the first time, both judges are compared.
 
         Raises:
             EnginesDisagree: if the two judges count differently.

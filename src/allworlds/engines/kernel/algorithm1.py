@@ -22,11 +22,11 @@ If the lighthouse has a direction, a test that succeeds proves its hypothesis.  
 no direction, and only let the robot recognise v0 and one neighbour v1: ``cluster`` by their marks,
 ``natural`` by their degrees, which no other vertex has.  Under these lighthouses the robot has two
 further tasks.  Before its first pass it searches for the dart of v0 that leads to v1.  After a test
-whose path has ended at v0 it makes the *query*: it leaves v0 by the dart that leads to v1 if the
-hypothesis is true, senses whether it has come to v1, and goes back.
+whose path has ended at v0 it makes the *query*.  From the hypothesis follows which dart of v0 leads
+to v1; the robot leaves v0 by this dart, senses whether it has come to v1, and goes back.
 
-Hypotheses are tried in the order in which their darts came into S; each test walks to v0 on the
-first of the shortest paths.
+Hypotheses are tried in the order in which their darts came into S; each test walks to v0 on a
+shortest path: at each vertex by the first dart that leads nearer to v0.
 
 The twin, Python code with the same results: :mod:`allworlds.explorers.builtin.algorithm1`.
 
@@ -136,11 +136,13 @@ def next_pass(robot, action):
 def sense(robot, degree, marks, bearing, action):
     """Go on with a pass after a percept, up to the next action (lines 5-16 and 20-21).
 
-    ``degree``, ``marks`` and ``bearing`` are the percept.  The phase of the robot says what is
-    done: on the way to e, take the next step; beyond e, find the hypotheses, and begin the first
-    test; in a test, compare the percept with the expected one, and go on or give up; on the way
-    back, take the next step.  If a test has come to v0, and all its percepts were the expected
-    ones, the phase becomes MATCHED, and no action is written.
+    ``degree``, ``marks`` and ``bearing`` are the percept.  The field ``robot.phase`` says what the
+    robot is doing, and so what this call does.  On the way to e: take the next step.  Just beyond
+    e: find the hypotheses, and begin the first test.  In a test: compare the percept with the
+    expected one, and go on or give up.  On the way back: take the next step.
+
+    When a test has come to v0 and each percept was the expected one, the phase becomes MATCHED, and
+    this function writes no action: the caller confirms the hypothesis, or makes the query first.
     """
     if robot.phase == FOLLOWING:
         _follow(robot, action)
@@ -236,7 +238,8 @@ def _test(robot, action):
 def reject(robot, action):
     """Give up a test that has failed, and take the first step of the way back (line 15).
 
-    Case 1 is counted if the path of the test goes on; case 2 if it has ended at v0.
+    The failure is counted as case 2 if the test had come to v0, at the end of its path, and as case
+    1 if not.
     """
     robot.events[names.CASE_2 if robot.owner[robot.here] == 0 else names.CASE_1] += 1
     robot.turned = -robot.turned
@@ -247,12 +250,12 @@ def reject(robot, action):
 def retrace(robot, action):
     """Take the next step of the way back after a failed test (line 15).
 
-    Of the motions of the test that are not undone yet, the step undoes the last one.  If all
-    motions are undone, begin the next test.
+    The step undoes the last motion of the test that is not undone yet.  If all motions are undone,
+    begin the next test.
 
-    ``robot.turned`` has two meanings.  On the way back it is the motion of the next step.  At any
-    other time after the crossing of e, it is the number of darts, clockwise, from the dart by which
-    the robot has entered its vertex to the dart at which the robot now stands.
+    ``robot.turned`` has two meanings.  On the way back it is the number k of the next motion.  At
+    any other time after the crossing of e it says where the robot faces: so many darts clockwise
+    from the dart by which it has come to its vertex.
     """
     if robot.done == 0:
         robot.turned = -robot.turned

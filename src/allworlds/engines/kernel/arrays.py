@@ -25,14 +25,15 @@ class Level(Struct, frozen=True, eq=False):
     """The request to the kernel for the units of a level: sizes, explorer, lighthouse and rules.
 
     All units of the level have the same request.  The kernel makes each map by a list of decisions,
-    its *gluing*.  The first decision is the degree of the root's vertex; each later one joins the
-    oldest open dart to another open dart, or to a new vertex.  A unit is all maps whose gluing
-    begins with certain decisions; these are no part of the request, but given beside it.
+    its *gluing*. The first decision is the degree of the root's vertex; each later one joins the
+    oldest open dart to another open dart, or to a new vertex.  A unit is all maps whose first
+    decisions are the same; these decisions are an argument of their own beside the request.
 
     Attributes:
         edges: m, at most MOST_EDGES.
         limit: the largest number of vertices, at most m + 1.
-        simple, planar: whether the maps of the class are simple, and whether they are planar.
+        simple, planar: whether only simple maps belong to the class, and whether only planar maps
+            do.
         explorer: a name in :data:`allworlds.engines.kernel.capabilities.EXPLORERS`.
         lighthouse: a name in :data:`allworlds.engines.kernel.capabilities.LIGHTHOUSES`.
         policy: ``fifo``, ``lifo`` or ``nearest``.
@@ -107,8 +108,10 @@ class BrokenRun(Struct, frozen=True):
 
     Attributes:
         vertices, sigma, alpha: the map of the run's world, as in :class:`At`.
-        place: the number of the lighthouse's place; None stands for every place in the map.
-        law: the name of the broken law; empty if the kernel has checked all laws together.
+        place: the number of the lighthouse's place; None if the kernel has walked the map once for
+            all places, so that the law is broken at each of them.
+        law: the name of the broken law; empty if the kernel does not know which law it is, because
+            it has checked several laws together.
     """
 
     vertices: int
