@@ -35,13 +35,14 @@ The modules of this package (logs are made and read outside of it, by ``protocol
 ``plays``
     the two players of a lane and their messages; fresh players for runs that are played anew;
 ``losses``, ``hash_seeds``
-    two tables: the meaning of the loss of a player; the meaning of a difference between two plays
-    of a run, perhaps because their processes have different hash seeds;
+    two tables: what the loss of a player means; what it means if the two plays of a run differ,
+    which may be due to the different hash seeds of their processes;
 ``settling``, ``more_seeds``
     the search for runs of a batch that break a law; runs of the largest worlds, which are played
     again under six further hash seeds;
 ``across``
-    all runs in small worlds, played in both orders, to find earlier runs that change a later run;
+    all runs in small worlds, played once more in two opposite orders, to find runs that change a
+    later run;
 ``players``, ``player``
     the code by which the owner of a player starts the player, hears it and notices its loss; the
     program that a player process executes;
@@ -57,8 +58,8 @@ The modules of this package (logs are made and read outside of it, by ``protocol
     the identity of a job, and the results of its units as JSON; the directory that keeps finished
     units;
 ``engine_table``
-    **the** table of the engines, the checks that the compiled engine cannot do, and the job that an
-    engine gets; two further transports: to this thread, and to several threads;
+    **the** table of the engines, the kinds of checks that the compiled engine cannot do, and the
+    job that an engine gets; two further transports: to this thread, and to several threads;
 ``sweep``
     **the** loop over units, and through the levels of a study;
 ``user_code_checks``

@@ -388,11 +388,14 @@ SCHEDULES = _record(
 
 
 class Kept(NamedTuple):
-    """The most expensive runs, and the first runs that break a law, each as a row of numbers.
+    """The most expensive runs, and some runs that break a law, each as a row of numbers.
 
-    A row holds the number of vertices, the canonical code of the rooted map, the place, the law's
-    number, and the code of the map without a root, which is the least of the map's canonical codes
-    from all roots.  A run is before another run if its row is less, number by number.
+    A row holds in this order: the number of vertices; the canonical code of the rooted map; the
+    place; the law's number; and the code of the map without a root, which is the least of its codes
+    over all roots.  Rows are compared number by number; the less row comes first.
+
+    ``most_expensive`` has a row for each number of vertices, without the last entry.  ``least`` has
+    the first runs that break a law, ascending.  ``row`` has room for one more row.
     """
 
     # By n, the least of the most expensive runs, without unrooted codes.
@@ -435,7 +438,13 @@ LOG_BYTES = 1 << 20
 
 
 class Stretch(NamedTuple):
-    """Arrays with room for a batch of runs: for their worlds, percepts and logs."""
+    """Arrays with room for a batch of runs: for their worlds, percepts and logs.
+
+    ``heads`` has the head of each run, and ``worlds`` its world, dart by dart (unused in plays by
+    percepts).  ``percepts`` has the percepts of all runs, three bytes each; in ``starts`` is the
+    index of the first byte of each run.  ``logs`` has the logs of all runs, and ``begins`` the
+    index of the first byte of each log.
+    """
 
     # The head of each run.
     heads: Any

@@ -17,9 +17,10 @@ FACTOR, LESS = 0x1E3779B97F4A7C15, (1 << 62) - 1
 
 @inlined
 def mixed(code, decision):
-    """The fingerprint of a partial map after a decision.
+    """The fingerprint after one more decision of the enumeration.
 
-    ``code`` is the fingerprint before the decision, and ``decision`` is the decision as a number.
+    ``code`` is the fingerprint of the decisions before, and ``decision`` is the decision as a
+    number.  The fingerprint of a map is that of all its decisions.
     """
     code = (code ^ decision) * FACTOR & LESS
     return code ^ code >> 31
@@ -123,10 +124,11 @@ def note(world, law, row):
 def blame(world, law, least, row):
     """Write the present run, which breaks a law, to ``least`` if it is one of the first such runs.
 
-    ``law`` is the number of the law.  The rows of ``least`` are the kept runs, ascending by number
-    of vertices, canonical code, place and law; only the first runs in this order are kept, as many
-    as there are rows.  Of all runs that break the same law in the same map, with any root, only the
-    first is kept.  The present run is written to ``row``, a further row, before it is compared.
+    ``law`` is the number of the law.  ``least`` has one row for each run that is kept, ascending by
+    number of vertices, canonical code, place and law.  If there are more runs than rows, the first
+    ones are kept.  Runs that break the same law in the same map count as one, whatever their roots
+    and places are: only the first of them is kept.  ``row`` is room for the present run as a row,
+    to compare it with the rows of ``least``.
     """
     note(world, law, row)
     if not _before(row, least, least.shape[0] - 1):

@@ -3,18 +3,18 @@
 numba keeps compiled code beside the sources (or in the user's cache), but checks only the source
 file of the outermost function.  This module checks all source files of the kernel.
 
-No compiled function makes an array or counts references, and only a function that Python calls gets
-a wrapper for Python.  So compiling takes a third less time.
+To save a third of the time of compiling, compiled functions make no arrays and count no references,
+and only a function that Python calls gets a wrapper for Python.
 
-The instructions call functions by address, read and write memory, and compute with sets of small
-numbers, which are bit masks.  The arguments of a C function are 32-bit integers and pointers; in
-place of a pointer the caller gives a structured array (see the module ``arrays``), or the address
-as a 64-bit integer.  A C function returns nothing or a 32-bit integer.  With such arguments the
-call of a C function is the same on all platforms.
+The instructions that numba lacks call functions by address, read and write memory, and compute with
+sets of small numbers, which are bit masks.  The arguments of a C function are 32-bit integers and
+pointers; in place of a pointer the caller gives a structured array (see the module ``arrays``), or
+the address as a 64-bit integer.  A C function returns nothing or a 32-bit integer.  With such
+arguments the call of a C function is the same on all platforms.
 
-A *builder* is an object of llvmlite that adds instructions to the code that is being compiled.  An
-argument ``builder`` or ``_context`` of a function below comes from numba: compiled code calls the
-function without this argument.
+A *builder* is an object of llvmlite that adds instructions to the code that is being compiled.  If
+a function below has a first argument ``builder`` or ``_context``, numba gives this argument;
+compiled code calls the function with the other arguments alone.
 """
 
 import gc
@@ -34,7 +34,10 @@ _njit = partial(njit, nogil=True, error_model="numpy", no_cfunc_wrapper=True, _n
 
 
 def inlined(function: Callable[..., Any]) -> Any:
-    """Compile a function as a part of its caller; only one place of the code may call it."""
+    """Compile a function as a part of its caller.
+
+    Call such a function in only one place: each call would compile its code once more.
+    """
     return _njit(no_cpython_wrapper=True, inline="always")(function)
 
 
@@ -135,7 +138,7 @@ _NOT_EMPTY = ir.Constant(ir.IntType(1), 0)
 def _lowered(builder: Any, kind: Any, value: Any) -> Any:
     """The value of an argument of type ``kind`` as C takes it: a pointer or a 32-bit integer.
 
-    ``builder`` adds the instructions that convert the value to compiled code.
+    ``builder`` adds to compiled code the instructions that convert the value.
     """
     if isinstance(kind, types.Record):
         return builder.bitcast(value, _POINTER)
@@ -175,11 +178,12 @@ def ask(_context, address, arguments):
 
 
 def expression(function: Callable[..., Any]) -> Any:
-    """Make a function that compiled code can call, from 64-bit integers to a 64-bit integer.
+    """Make a new function for compiled code, with 64-bit integers as arguments and as its result.
 
-    ``function`` is called while the caller of the new function is compiled, and adds the
-    instructions of the new function.  It takes the builder and the values of llvmlite that stand
-    for the new function's arguments; it returns the value that stands for the result.
+    ``function`` says what the new function computes.  Whenever a call of the new function is
+    compiled, ``function`` is called; it gets the builder, and for each argument the object of
+    llvmlite that stands for the value.  It adds the instructions, and returns the object that
+    stands for the result.
     """
 
     @wraps(function)

@@ -4,28 +4,29 @@ Two partial maps grow side by side: the world W, with decided and open darts, an
 its open darts U.  ``image`` maps each dart of S to the dart of W for which it stands.  The robot
 walks until it is about to cross an open dart of W.  Then each decision for that dart is tried in
 turn: the dart is joined to another open dart, or to the first dart of a new vertex.  Only decisions
-after which W can be finished are tried.  Each finished walk belongs to one world, and each world to
-one finished walk.
+are tried after which W can still become a map with the wanted numbers of edges and vertices.  Each
+finished walk belongs to one world, and each world to one finished walk.
 
 In each pass of Algorithm 1 two conditions are checked.  First: if a vertex is added to S, no other
 vertex of S stands for the same vertex of W.  Second: if two darts of U are joined in S, the darts
 of W for which they stand are joined in W.  At the end of the walk a third condition is checked: S
 is all of W.  A walk *fails* if a condition is not met, or if the walk costs more than the largest
-of the step budgets, which depend on the number of vertices.
+step budget of all numbers of vertices.
 
 The first two conditions imply three laws: S is the explored part of W (invariant-1), U holds its
 unexplored darts (invariant-2), and S grows by an edge in each pass (variant).
 
 The law folding is met, too.  This law demands that folding the log gives the whole map W.  Folding
 begins with a map in which each step of the log leads to a new vertex.  Then each vertex at which
-the robot has sensed v0 is merged with v0, dart with dart.  If a dart now leads to two vertices,
-these two are merged, too, and so on.
+the robot has sensed v0 is merged with v0, and the bearing says which darts are merged.  If a dart
+now leads to two vertices, these two are merged, too, and so on.
 
 The proof: the robot joins two darts of U only after a test that has led to v0.  The hypothesis
 names, for each vertex that the robot has passed in this test, a vertex of S.  The last vertex of
-the test is v0, and is merged with v0.  So the vertex before it is merged with the vertex that the
-hypothesis names, because the same dart of v0 leads to both; and so on, back to the first vertex of
-the test.  Hence the folded log has every edge of S.  At the end of the walk S is all of W.
+the test is v0, and is merged with v0.  The vertex before it and the vertex of S that the hypothesis
+names for it are then behind the same dart of v0, so these two are merged.  In the same way each
+earlier vertex of the test is merged with its vertex of S, back to the first vertex of the test.
+Hence the folded log has every edge of S.  At the end of the walk S is all of W.
 
 ``w`` is the state of the check, an array ``WALK``.  ``s`` is the part of ``w`` that is copied
 before each decision, so that the walk can go back to the decision.  ``w.choices`` is a stack of
@@ -74,11 +75,11 @@ _FEW = 0xFF
 
 @entry
 def explore(w, prefix, kept, halt):
-    """Walk once in every world whose first decisions are ``prefix``; count each in ``w.counts``.
+    """Walk once in every rooted map whose first decisions are ``prefix``; count it in ``w.counts``.
 
     If a walk has failed, or costs more than the bound, a run with place 0 and law 0 is added to
-    ``kept``.  This run stands for all places of the lighthouse in the world, and for all laws.  The
-    work is given up once ``halt[0]`` is not 0.
+    ``kept``.  Here this place and this law are no real ones: the run stands for all places of the
+    lighthouse in the map, and for all laws.  The work is given up once ``halt[0]`` is not 0.
     """
     s = w.now
     _begin(w, s, prefix)
@@ -186,9 +187,11 @@ def _choose(w, s):
 
 @inlined
 def _tally(w, s, kept):
-    """Add the world W, in which the walk has ended or failed, to the counts ``w.counts``.
+    """Add the finished map W, in which the walk has ended or failed, to the counts ``w.counts``.
 
-    The walk is also written to ``kept`` if it is the most expensive walk so far, or breaks a law.
+    After a walk has failed, the open darts of W are decided in every way, so that each finished map
+    is counted.  The walk is also written to ``kept`` if it is the most expensive walk so far, or
+    breaks a law.
     """
     n, cost = s.vertices, s.total & COST
     w.counts[n, WORLDS] += 1
@@ -215,9 +218,10 @@ def _tally(w, s, kept):
 def _fingerprint(w, s):
     """The fingerprint of W, in which no dart is open.
 
-    Under the policy fifo, which explores the oldest dart of U first, S grows by the decisions from
-    which the fingerprint is computed.  So a walk that has not failed has computed the fingerprint
-    already, and the result is read from ``s.code``.  In all other cases it is computed here.
+    Under the policy fifo the robot explores the darts in the order in which the enumeration decides
+    them.  So a walk that has ended has passed all decisions in this order, and has computed the
+    fingerprint in ``s.code``.  Under another policy, or if the walk has failed, it is computed
+    here.
     """
     if w.policy == FIFO and s.stage != FAILED:
         return s.code
@@ -456,8 +460,8 @@ def _augment_by_vertex(w, s):
 def _augment_by_loop(w, s):
     """Make an edge of S from the dart e and the dart of the confirmed hypothesis (lines 18-19).
 
-    The walk fails if the second dart is not in U, or if the two darts stand for darts of W that are
-    not joined.
+    The walk fails if the dart of the hypothesis is not in U, or if the two darts stand for darts of
+    W that are not joined.
     """
     e, dart = s.e, s.candidate
     if not s.unexplored >> dart & 1 or w.partner[w.image[e]] != w.image[dart]:
