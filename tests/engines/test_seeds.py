@@ -7,6 +7,7 @@ import pytest
 
 from allworlds import log as entries
 from allworlds.engines import more_seeds, units
+from allworlds.engines.batch import SECOND
 from allworlds.engines.hash_seeds import SIX_MORE
 from allworlds.engines.judges import SMALL
 from allworlds.inputs.checks import InputError
@@ -80,7 +81,7 @@ def test_what_differs_under_another_seed_is_explained_once():
         ),
         plays=SimpleNamespace(anew=lambda *_: ([bytes((entries.OVER,))] * 2, ())),
         differ=lambda one, _: one == "another",
-        explain_under=lambda _, batch, rows: explained.append((batch, *[row for row, _ in rows])),
+        explain_under=lambda _, batch, rows, which: explained.append((batch, which, *dict(rows))),
     )
     outcomes = [SimpleNamespace(log="equal"), SimpleNamespace(log="another")]
     work = SimpleNamespace(unit="unit")
@@ -88,7 +89,7 @@ def test_what_differs_under_another_seed_is_explained_once():
     seeds = more_seeds.MoreSeeds(settler, Random(1), wanted=True)
     seeds._kept = [(batch, 0), (batch, 1)]
     assert seeds.end() == "tally"
-    assert explained == [(batch, 1)]
+    assert explained == [(batch, SECOND, 1)]
 
 
 @pytest.fixture

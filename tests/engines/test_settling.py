@@ -228,11 +228,12 @@ def test_a_run_in_which_a_player_was_lost_is_a_finding_although_the_batch_is_giv
         assert not batch.tally.rows
 
 
-def test_what_differs_under_a_further_seed_is_explained_by_it():
-    logs = {(FIRST, 0): RIGHT, (SECOND, 5): WRONG, (FIRST, 5): WRONG}
+@pytest.mark.parametrize(("which", "by_percepts"), [(FIRST, THEIRS), (SECOND, WRONG)])
+def test_what_differs_under_a_further_seed_is_explained_by_it(which, by_percepts):
+    logs = {(FIRST, 0): RIGHT, (SECOND, 5): by_percepts, (FIRST, 5): WRONG}
     batch = batch_of([RIGHT], [RIGHT])
     settler = Settler(JUDGE, Plays((0, 1), logs))
-    settler.explain_under(5, batch, [(0, Log(WRONG))])
+    settler.explain_under(5, batch, [(0, Log(WRONG))], which)
     (found,) = batch.work.tally.findings
     assert (found.law, found.hash_seed) == ("map", 5)
     tally = batch.work.tally

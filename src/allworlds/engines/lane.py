@@ -308,5 +308,5 @@ class Lane:
             self._settler.find(across.batch, across.found)
             if across.odd:
                 _, seed = hash_seeds.across(self._plays.seeds)
-                self._settler.explain_under(seed, across.batch, across.odd)
+                self._settler.explain_under(seed, across.batch, across.odd, FIRST)
             across.work.open, self._across = 0, None

@@ -2,7 +2,7 @@
 
 from random import Random
 
-from allworlds.engines.batch import RunBatch, Work
+from allworlds.engines.batch import SECOND, RunBatch, Work
 from allworlds.engines.hash_seeds import SIX_MORE
 from allworlds.engines.judges import SMALL
 from allworlds.engines.settling import Settler
@@ -57,6 +57,6 @@ class MoreSeeds:
             for (batch, index), log in () if lost else zip(kept, logs, strict=True):
                 if self._settler.differ(batch.outcome(index).log, Log(log)):
                     batch.work, self._wanted = work, False
-                    self._settler.explain_under(seed, batch, [(index, Log(log))])
+                    self._settler.explain_under(seed, batch, [(index, Log(log))], SECOND)
                     return work.tally
         return work.tally

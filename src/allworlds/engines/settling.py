@@ -63,7 +63,7 @@ class Settler:
         outcomes = {i: self._in_words(batch, i) for i in without_words if i not in batch.lost}
         outcomes = {index: self._own(batch, index) for index in batch.broken} | outcomes
         if twice and (differing := self._differing(batch)):
-            outcomes |= self._explained(batch, differing, self.plays.seeds)
+            outcomes |= self._explained(batch, differing, self.plays.seeds, SECOND)
         self.find(batch, outcomes)
 
     def find(self, batch: RunBatch, outcomes: dict[int, Outcome]) -> None:
@@ -92,7 +92,7 @@ class Settler:
             outcomes[index] = overruled(one.outcome, one.log, second, choices=self.judge.every)
         self.find(batch, outcomes)
 
-    def explain_under(self, seed: int, batch: RunBatch, differing: Differing) -> None:
+    def explain_under(self, seed: int, batch: RunBatch, differing: Differing, which: int) -> None:
         """Find out why runs had another log under the hash seed ``seed``; keep the findings.
 
         Further plays show whether the hash seeds explain the difference of the logs.  If they do, a
@@ -104,9 +104,11 @@ class Settler:
             seed: the hash seed of the second logs; the first logs have the first player's seed.
             batch: the batch of the runs, with their first logs.
             differing: the indices of these runs, each with its second log.
+            which: FIRST if the second logs were made in worlds, SECOND if they were made by the
+                percepts of the first logs.
         """
         seeds = self.plays.seeds[FIRST], seed
-        self.find(batch, self._explained(batch, differing, seeds))
+        self.find(batch, self._explained(batch, differing, seeds, which))
 
     def _differing(self, batch: RunBatch) -> Differing:
         """The indices of the runs whose two logs differ, each with the second log."""
@@ -147,18 +149,21 @@ class Settler:
             return one.outcome
         return replace(one.outcome, violation=nondeterministic(PLAYED_ONCE_MORE))
 
-    def _explained(self, batch: RunBatch, differing: Differing, seeds: Seeds) -> dict[int, Outcome]:
+    def _explained(
+        self, batch: RunBatch, differing: Differing, seeds: Seeds, which: int
+    ) -> dict[int, Outcome]:
         """The outcomes, by index, of runs whose two plays differ, after further plays of them.
 
         Args:
             batch: the batch of the runs.
             differing: the indices of the runs, each with the log of the second play.
             seeds: the hash seeds of the two plays.
+            which: the player whose way of playing the second play had, see :meth:`explain_under`.
         """
         few, plays = dict(differing[:MOST_SETTLED]), self.plays
         orders = [*few], [*few][::-1]
         firsts = [plays.again(FIRST, seeds[FIRST], batch, order) for order in orders]
-        seconds = [plays.again(SECOND, seeds[SECOND], batch, order) for order in orders]
+        seconds = [plays.again(which, seeds[SECOND], batch, order) for order in orders]
         before = {index: batch.outcome(index).log for index in few}
         repeated = [(before[index], [play[index] for play in firsts]) for index in few]
         repeated += [(other, [play[index] for play in seconds]) for index, other in few.items()]

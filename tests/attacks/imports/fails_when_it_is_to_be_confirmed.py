@@ -1,8 +1,8 @@
-"""Is wrong, and can be imported four times: looked at, by two players, and under one seed more.
+"""Is wrong, and can be imported five times: looked at, by two players, and in two opposite orders.
 
 What they have found is not lost; it is only not confirmed.
 
-verdict: refuted folding
+verdict: refuted map
 options: --edges 1 --shard 0/2
 """
 
@@ -12,8 +12,8 @@ from allworlds import CombinatorialMap, Estimate
 
 with Path("imported").open("a") as imported:
     imported.write("!")
-    if imported.tell() > 4:
-        raise RuntimeError("not a fifth time")
+    if imported.tell() > 5:
+        raise RuntimeError("not a sixth time")
 
 
 def explore(first):

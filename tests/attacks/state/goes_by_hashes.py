@@ -1,7 +1,8 @@
-"""Right, and goes by the hash of a text, which all processes that play have in common.
+"""Right, and goes by the hash of a text, which differs from process to process.
 
 verdict: holds
 options: --edges 2 --laws map,pose
+quick: 1
 """
 
 from allworlds import Move
