@@ -211,7 +211,9 @@ def test_what_is_no_condition_is_refused_in_one_line(folder, where, said):
         lambda where: allworlds.count(edges=3, where=where),
         lambda where: allworlds.check(edges=3, where=where),
         lambda where: allworlds.check("alone.py:explore", edges=3, where=where, workers=2),
-        slowest(lambda where: allworlds.compare("algorithm1", "alone.py:explore", where=where)),
+        slowest(
+            lambda where: allworlds.compare("alone.py:explore", "folding", edges=3, where=where)
+        ),
         slowest(lambda where: allworlds.fuzz(edges=3, runs=16, where=where)),
         slowest(lambda where: allworlds.ambiguity.census(edges=3, where=where)),
     ],

@@ -10,6 +10,7 @@ command gets the signal, as from a service's manager.
 import os
 import signal
 import sys
+from contextlib import suppress
 
 import processes
 
@@ -31,7 +32,8 @@ def signal_at_call(number, begin, calls, to_all):
         if left == 0 and os.getpid() == own:
             sys.setprofile(None)
             for process in [*(processes.workers_of(own) if to_all else ()), own]:
-                os.kill(process, number)
+                with suppress(ProcessLookupError):  # a worker may have ended by itself
+                    os.kill(process, number)
 
     sys.setprofile(count)
 

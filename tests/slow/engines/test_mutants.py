@@ -86,8 +86,8 @@ def test_a_check_with_a_damaged_table_ends_as_an_internal_error(
 def test_work_that_is_doubled_or_lost_fails_at_the_count_gate(monkeypatch, damage):
     units = units_of_level
 
-    def damaged(extent, edges, portion):
-        for i, unit in enumerate(units(extent, edges, portion)):
+    def damaged(extent, edges, *more):
+        for i, unit in enumerate(units(extent, edges, *more)):
             copies = {"doubled": 2, "lost": 0}[damage] if (edges, i) == (6, 40) else 1
             yield from [unit] * copies
 

@@ -43,7 +43,7 @@ def test_bred_worlds_depend_on_neither_workers_nor_shards(tmp_path):
     whole = fuzz(LATE, **sample)
     assert (whole.verdict, whole.runs, whole.bred) == ("refuted", DRAWS_PER_BLOCK, BRED_PER_BLOCK)
     assert is_late(whole.findings[0].world.map)
-    assert "192 worlds from the draws" in text_of(whole, 100)
+    assert "192 worlds made by changing drawn worlds" in text_of(whole, 100)
     assert fuzz(LATE, **sample, workers=2).to_json() == whole.to_json()
     (tmp_path / "runs").mkdir()
     for k in range(2):

@@ -1,5 +1,6 @@
 """Many worlds of files: workers, shards of every verb, a hundred thousand, Petersen's graph."""
 
+import gc
 import tracemalloc
 
 import pytest
@@ -54,7 +55,17 @@ def test_every_embedding_of_the_petersen_graph_holds():
     assert report.runs == 3 * report.worlds == 90 * report.to_json()["scope"]["given"]
 
 
+@pytest.fixture
+def usual_garbage():
+    """Garbage is collected as often as Python does by itself; the command line does it rarely."""
+    rate = gc.get_threshold()
+    gc.set_threshold(700, 10, 10)
+    yield
+    gc.set_threshold(*rate)
+
+
 @pytest.mark.slowest
+@pytest.mark.usefixtures("usual_garbage")
 def test_a_hundred_thousand_worlds_stream(tmp_path):
     def most(count):
         tracemalloc.start()
