@@ -191,7 +191,7 @@ def test_folding_counts_the_open_darts_and_names_the_vertex_seen_as_several(told
         r"it is not known where dart \d of v\d, dart \d of v\d and dart \d of v\d lead", text
     )
     assert (
-        "came to v1 in 2 ways, and the log does not show that this was always the same vertex"
+        "came to v1 by 2 paths, and the log does not show that this was always the same vertex"
         in text
     )
 

@@ -229,7 +229,7 @@ class Truth:
             copies.setdefault(self.vertex(robot), set()).add(
                 min(of[i, j] for j in range(degrees[i]))
             )
-        twice = [f"{v} in {len(c)} ways" for v, c in sorted(copies.items()) if len(c) > 1]
+        twice = [f"{v} by {len(c)} paths" for v, c in sorted(copies.items()) if len(c) > 1]
         if twice:
             one = "each of these" if len(twice) > 1 else "this"
             told.append(
@@ -512,7 +512,10 @@ def test_of_a_wrong_pose_it_is_told_where_the_robot_is_and_where_it_believes_to_
                     "bearings are counted anticlockwise: "
                 )
             assert more == [
-                "This world is its own mirror image, so no run in it shows which mistake it is."
+                (
+                    "This world is its own mirror image, so a run here cannot show which mistake "
+                    "was made."
+                )
             ]
         else:
             assert more == ([f"Or: {BEARINGS}"] if bearings else [])

@@ -213,7 +213,7 @@ def test_the_first_wrong_checkpoint_goes_before_what_followed():
             text = explain(replace(finding, law=law, wrong_checkpoint=wrong))
             shown = wrong or "its S is not the explored part"
             first = (
-                f"The checkpoint after step 1 is already wrong (in the numbers of its S): {shown}. "
+                f"The checkpoint after step 1 is already wrong; in the numbers of its S: {shown}. "
                 "Mend this first: later mistakes may follow from it."
             )
             assert text.sentences[0 if law == "budget" else 1] == first
@@ -254,7 +254,7 @@ def test_of_an_endless_walk_it_is_told_since_when_nothing_was_new():
         whose,
     ]
     shown = told(walking(Move(0), Move(0), then=Checkpoint((1, 2, 0), (1, 0, 2), 0)), LEAFY_LOOP)
-    assert shown[1] == "After step 2 it only showed checkpoints, too many in all."
+    assert shown[1] == "After step 2 it showed more checkpoints than are allowed."
     still = told(walking(then=Drop()), World(EDGE, Movable(), 0), step_budget=1)
     assert not [line for line in still if "met no new edge" in line]
 

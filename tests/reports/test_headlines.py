@@ -121,7 +121,7 @@ def test_the_first_line_where_no_schedule_was_worked_on(monkeypatch):
     [
         ({}, True, "no map was forgotten: the number equals an independent count (T)"),
         ({}, False, "no level was finished, so nothing was compared"),
-        ({"whole": False}, True, "the merge of all shards compares the counts"),
+        ({"whole": False}, True, "not for a shard: the merge of all shards compares the counts"),
         ({"source": ""}, True, "absent: no formula counts the maps that are cubic"),
     ],
 )
@@ -195,14 +195,15 @@ def test_lines_that_run_in_a_refuting_run_alone_are_told_up_to_a_number():
     assert [*_lines(SimpleNamespace(code=None), None)] == []
 
 
-NOT = "by no new process"
+YES = "yes: a new process got the same percepts, and no world, and did the same"
+NOT = "no: no new process has repeated the run"
 
 
 @pytest.mark.parametrize(
     ("confirmed", "minimal", "among", "words"),
     [
         (False, False, None, f"{NOT}; a smaller world may refute the explorer, too"),
-        (True, True, None, "by a new process, which repeated the run from its percepts alone; no "),
+        (True, True, None, f"{YES}; no "),
         (False, True, "cubic", f"{NOT}; no smaller world of the scope (--where cubic) refutes the"),
         (False, True, None, f"{NOT}; no smaller world of the scope refutes the explorer"),
     ],
@@ -260,7 +261,7 @@ def test_the_first_line_of_a_search_for_twins(given, word, facts):
     asked = {"question": SimpleNamespace(describes="Twins"), "status": "unsat", "vacuous": False}
     found, told = ambiguity._found(SimpleNamespace(**{"certificate": None, **asked, **given}))
     assert found.word == word
-    assert found.text.startswith("Twins")
+    assert found.text.startswith("there are no twins" if word == "NONE" else "Twins")
     assert [name for name, _ in told] == facts
     if word == "NONE":
         assert ("LRAT proof" in told[0][1]) == ("certificate" in given)
@@ -305,7 +306,7 @@ def test_in_the_map_of_a_checkpoint_the_vertices_that_are_not_explored_have_no_n
     (block,) = _belief(story)
     _, (title, scene) = block.entries
     assert [*scene.vertices] == ["s0", "?", "?"]
-    assert "in the explorer's numbers (from dart 2 on, at ?: unexplored)" in title
+    assert "in the explorer's numbers (darts at '?' lead to unknown vertices)" in title
     story.finding.step = None
     assert _belief(story)
     shown.here = 9

@@ -104,7 +104,7 @@ def test_the_text_of_an_incomplete_check_says_so():
 def test_the_text_of_a_shard_defers_the_gate():
     text = check_text(check("algorithm1", engine="python", edges=2, shard=(0, 2)), 100)
     assert "shard 0/2" in text
-    assert "the merge of all shards compares the counts" in text
+    assert "not for a shard: the merge of all shards compares the counts" in text
 
 
 def test_a_shard_without_worlds_does_not_hold():

@@ -162,8 +162,8 @@ def test_a_report_tells_what_was_covered_and_what_follows():
         "drawn in these ways in turn: uniform, cover, ring, regular, sparse, planar,"
     )
     assert told["chance"] == (
-        "none of 36 random draws refutes the explorer: with 95 % confidence one more from this "
-        "mixture does with probability < 0.08333"
+        "none of 36 random draws refutes the explorer; one more draw refutes it with a probability "
+        "below 0.08333 (at 95 % confidence)"
     )
     # That is so: a slip that shows with this probability escapes 36 draws less often.
     bounds = {draws: float(f"{3 / draws:.4g}") for draws in (3, 36, *range(1000, 1100), 10**6)}

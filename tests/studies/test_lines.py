@@ -151,10 +151,8 @@ def test_the_wrong_checkpoint_is_kept_and_drawn_beside_the_world():
     assert ends_at(finding.code.checkpoints[shown.number], "twisted")
     text = str(finding)
     assert f"The world after step {shown.step}\n" in text
-    known = f"(from dart {len(shown.sigma)} on, at ?: unexplored)"
-    assert f"The S after step {shown.step}, in the explorer's numbers {known}" in " ".join(
-        text.split()
-    )
+    title = f"The S after step {shown.step}, in the explorer's numbers (darts at '?' lead to"
+    assert f"{title} unknown vertices)" in " ".join(text.split())
     page = finding._repr_html_()
     assert f"The S after step {shown.step}" in page
 

@@ -30,7 +30,7 @@ NO_LINE = (
         r"no JSON: '\s*[{\[][^}]*'$",
         "That is only the beginning of an object: print each message without a line break in it.",
     ),
-    (r"the line \{\}", "Was a value undefined: is a 'return' missing, or has a generator ended?"),
+    (r"the line \{\}", "Was the value undefined: is a 'return' missing, or has a generator ended?"),
 )
 """The advice for a program that has printed a line which is no message: pairs of a pattern in the
 finding's ``seen``, and a sentence."""

@@ -129,7 +129,7 @@ def tell_budget(story: Story) -> Telling:
     if wrong:  # that is the cause
         return Telling([*wrong, how], story.checkpoint)
     if str(story.finding.seen).startswith("checkpoint "):
-        why = [f"After step {len(story.walk.actions)} it only showed checkpoints, too many in all."]
+        why = [f"After step {len(story.walk.actions)} it showed more checkpoints than are allowed."]
     else:
         is_map, found = story.finding.rules.task.is_map, tell_round(story)
         why = [_say_progress(story), *found, *tell_way_back(story)]
@@ -206,7 +206,7 @@ def _tell_first_wrong(story: Story) -> list[str]:
     if (step := story.checkpoint) is None:
         return []
     what = story.finding.wrong_checkpoint or "its S is not the explored part"
-    wrong = f"The checkpoint after step {step} is already wrong (in the numbers of its S): {what}."
+    wrong = f"The checkpoint after step {step} is already wrong; in the numbers of its S: {what}."
     return [f"{wrong} Mend this first: later mistakes may follow from it."]
 
 
@@ -336,7 +336,7 @@ def tell_pose(story: Story) -> Telling:
         causes += ["the bearings are counted anticlockwise"] if bearings else []
         sentences = [
             f"Either {', or '.join(causes)}: {where}",
-            "This world is its own mirror image, so no run in it shows which mistake it is.",
+            "This world is its own mirror image, so a run here cannot show which mistake was made.",
         ]
     elif bearings:
         name = bearings.name
@@ -456,7 +456,7 @@ def tell_open_darts(story: Story) -> list[str]:
         named[NAMED:] = [plural(len(named) - NAMED, "other dart")]
     open_ = f"where {listed(named)} {'lead' if len(named) > 1 else 'leads'}"
     copies = Counter(story.vertex(image[group[0]]) for group in cycles(folded.sigma))
-    twice = [f"{vertex} in {count} ways" for vertex, count in sorted(copies.items()) if count > 1]
+    twice = [f"{vertex} by {count} paths" for vertex, count in sorted(copies.items()) if count > 1]
     sentences = [f"After this walk it is not known {open_}."]
     if twice:
         one = "each of these" if len(twice) > 1 else "this"
@@ -566,7 +566,7 @@ TELLERS: dict[str, Teller] = {
     "ambiguity": tell_ambiguity,
     "task": ending("The explorer did not do what the task asks for."),
     "invariant-1": checkpoint(
-        "S is not the explored part of the world, if 'here' is the robot's dart."
+        "Either S is not the explored part of the world, or 'here' is not the robot's dart."
     ),
     "invariant-2": checkpoint(
         "The U of a checkpoint must hold only unexplored darts, but it holds an explored one."

@@ -110,7 +110,7 @@ def class_content(found: AmbiguityClass) -> parts.ReportContent:
         blocks.append(parts.Paragraph(f"{left} more worlds: --json lists them."))
     if found.notice:
         blocks.append(parts.Paragraph(f"{found.notice}."))
-    poses = f"{words.number(found.poses)} (a pose: a world and a dart in it where the robot may be)"
+    poses = f"{words.number(found.poses)}: pairs of a world and a dart where the robot may be"
     return parts.ReportContent(
         "allworlds ambiguity class",
         "one world",

@@ -68,7 +68,7 @@ def _in_short(report: CheckReport) -> list[tuple[str, str]]:
     short = {
         "scope": f"{extent}, lighthouse '{scope.rules.lighthouse}', {_which(report)}",
         "witnesses": f"events of {plural(len(report.tally.witnesses), 'kind')} seen",
-        "chance": f"one more draw refutes with probability < {3 / max(report.runs, 1):.4g} (95 %)",
+        "chance": f"one more draw refutes with p < {3 / max(report.runs, 1):.4g} (confidence 95 %)",
     }
     if cells and all(cell.agrees for cell in cells):
         sizes = plural(len(cells), "finished size")
@@ -106,7 +106,7 @@ def size_table(report: CheckReport) -> parts.Table:
     every = report.asked.schedules == "all"
     header = ["edges", "vertices", "worlds", "runs", "traversals", "max cost", "bound"]
     if every:
-        header[4:4], header[6:6] = ["schedules"], ["best cost"]
+        header[4:4], header[6:6] = ["schedules"], ["max cheapest"]
     sampled = report.asked.coverage.drawn
     groups: dict[tuple[int, int], tuple[list[int], tally.Row]] = {}
     for (edges, vertices), row in sorted(report.tally.rows.items()):
@@ -214,8 +214,8 @@ def _of_sample(report: CheckReport) -> Iterator[tuple[str, str]]:
         yield "bred", f"{plural(report.bred, 'world')} {why}"
     if report.verdict is Verdict.NOT_REFUTED and sample.portion == units.WHOLE:
         chance = (
-            f"none of {plural(report.runs, 'random draw')} refutes the explorer: with 95 % "
-            f"confidence one more from this mixture does with probability < {3 / report.runs:.4g}"
+            f"none of {plural(report.runs, 'random draw')} refutes the explorer; one more draw "
+            f"refutes it with a probability below {3 / report.runs:.4g} (at 95 % confidence)"
         )
         yield "chance", chance
 
@@ -273,7 +273,7 @@ def _gate(report: CheckReport) -> str:
     if report.asked.coverage.drawn:
         return "absent: a sample has no independent count"
     if report.asked.coverage != units.WHOLE:
-        return "the merge of all shards compares the counts"
+        return "not for a shard: the merge of all shards compares the counts"
     extent = report.asked.extent
     if extent.where is not None and source_of(extent) is None:
         return f"absent: no formula counts the maps that are {extent.where.name}"
@@ -405,8 +405,8 @@ def _estimate(guess: time_estimate.TimeEstimate) -> parts.ReportContent:
     of = f"{plural(guess.sampled, 'world')} of the last level, {number(round(guess.rate))} a second"
     blocks: list[parts.Block] = [parts.fact("sample", of)]
     if guess.larger:
-        names = ("worlds", "takes") if guess.counted else ("worlds <=", "takes <=")
-        header = ("edges", names[0], "engine", "sampled", "a second", names[1])
+        names = ("worlds", "duration") if guess.counted else ("worlds <=", "duration <=")
+        header = ("edges", names[0], "engine", "sampled", "worlds/s", names[1])
         every: list[time_estimate.TimeEstimate | time_estimate.Guess] = [guess, *guess.larger]
         rows = [
             (

@@ -228,7 +228,7 @@ def _growth_facts(report: growth.Growth) -> list[tuple[str, str]]:
         level = f"{intervals.LEVEL:.0%} confidence in mean or ratio, by Student's t on logarithms"
         few = f"the sign -: fewer than {intervals.LEAST_WORLDS} worlds, or a cost of 0"
         words += [
-            ("worlds", f"the rooted maps of {plural(drawn, 'seed')}; isomorphic ones count once"),
+            ("worlds", f"drawn with {plural(drawn, 'seed')}; isomorphic rooted maps count once"),
             ("runs", "places of the lighthouse tried, of all places; worst: the largest cost"),
             ("mean", "over the runs in a world, then over worlds; of ratios the geometric mean"),
             ("interval", intervals.lack() or f"{level}; {few}"),
@@ -309,7 +309,7 @@ def _facts(report: comparison.Comparison) -> list[tuple[str, str]]:
     words.append(("costs", meant))
     first = _short_names(report)[0]
     exact = "; exact, as the maps are no sample" if report.whole else ""
-    ratio = f"mean cost / that of '{first}' in each map; then the geometric mean of all maps{exact}"
+    ratio = f"mean cost divided by that of '{first}', in each map; their geometric mean{exact}"
     words.append(("ratio", ratio))
     if report.rows:
         words += [("in all", _in_all(report, name)) for name in report.names[1:]]

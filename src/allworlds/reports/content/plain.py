@@ -69,7 +69,7 @@ def status_content(standing: merge.Standing) -> parts.ReportContent:
     so_far = "" if standing.state == "finished" else " so far"
     most = "" if standing.counted else "at most "
     about = "" if standing.shard == str(WHOLE) else "about "
-    some = f" of {about}{words.number(worlds.all)}{'' if standing.counted else ' or fewer'}"
+    some = f" of {most}{about}{words.number(worlds.all)}"
     facts = [
         ("state", standing.state),
         ("job", _job(standing)),

@@ -135,7 +135,7 @@ def gate_facts(report: Any, what: str, *, is_compared: bool) -> list[tuple[str, 
     elif not report.source:
         said = f"absent: no formula counts the maps that are {report.extent.where}"
     elif not report.whole:
-        said = "the merge of all shards compares the counts"
+        said = "not for a shard: the merge of all shards compares the counts"
     elif is_compared:
         said = f"no {what} was forgotten: {words.counted(report.source)}"
     else:

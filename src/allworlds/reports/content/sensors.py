@@ -30,7 +30,7 @@ def sensors_content(found: AmbiguitySensors) -> parts.ReportContent:
     if their lighthouses can stand at the same places.
     """
     enough = [row.lighthouse for row in found.rows if row.sufficient]
-    header = ["sensor", "suffices", "minimal", "fails from edges", "maps alike there"]
+    header = ["sensor", "suffices", "minimal", "edges of least twins", "lookalikes there"]
     rows: list[list[parts.Cell]] = [
         [
             row.lighthouse,

@@ -305,7 +305,7 @@ def _lines(finding: Finding, step: int | None) -> Iterator[tuple[str, str]]:
         runs = words.plural(code.right, "run")
         yield "only here", f"{'; '.join(lines)} (not run in {runs} that broke no law)"
     if code.busy:
-        yield "ran most", "; ".join(code.source(where) for where in code.busy[:2])
+        yield "ran often", "; ".join(code.source(where) for where in code.busy[:2])
 
 
 def _law(finding: Finding, step: int | None) -> parts.FactList:
@@ -388,7 +388,7 @@ def _belief(story: Story) -> list[parts.Block]:
     known = len(shown.sigma)
     names = ["?" if min(darts) >= known else f"s{i}" for i, darts in enumerate(map_.vertices)]
     scene = parts.Scene(map_, None, shown.here, vertices=names)
-    title = f"The S {here}, in the explorer's numbers (from dart {known} on, at ?: unexplored)"
+    title = f"The S {here}, in the explorer's numbers (darts at '?' lead to unknown vertices)"
     beside = (f"The world {here}", parts.walk_in_world(until))
     return [parts.MapPictures([beside, (title, scene)])]
 
@@ -406,9 +406,9 @@ def _remarks(finding: Finding, origin: str, *, checked: bool) -> Iterator[tuple[
         rest = f", and {words.number(more)} more" if more > 0 else ""
         yield "choices", ", ".join(map(str, shown)) + rest
     if checked:
-        confirmed = "by no new process"
+        confirmed = "no: no new process has repeated the run"
         if finding.confirmed:
-            confirmed = "by a new process, which repeated the run from its percepts alone"
+            confirmed = "yes: a new process got the same percepts, and no world, and did the same"
         smaller = "a smaller world may refute the explorer, too"
         if finding.minimal:
             among = finding.rules.among

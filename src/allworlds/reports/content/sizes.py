@@ -111,7 +111,7 @@ def _facts(report: WorstReport) -> list[tuple[str, str]]:
     ways = {"shortest": "a shortest path", "simple": "any simple path"}
     scope = (
         f"every schedule of algorithm1 in {maps_in_words(report)}; the robot goes to the "
-        f"edge that it explores next on {ways[report.request.transit]}"
+        f"next unexplored edge on {ways[report.request.transit]}"
     )
     costs = (
         "worst: the largest cost of a schedule in any world; best: each world has a cheapest "
@@ -119,7 +119,7 @@ def _facts(report: WorstReport) -> list[tuple[str, str]]:
     )
     tests = sum(row.tests for row in report.rows)
     wrong = sum(row.wrong_tests for row in report.rows)
-    tested = "no hypothesis that was tested was false" if report.rows else ""
+    tested = "every hypothesis that was tested was true" if report.rows else ""
     if tests:
         verdict = f"{number(wrong)} CONFIRMED a false one" if wrong else "all rejected"
         tested = f"{plural(tests, 'test')} of false hypotheses, by every path home: {verdict}"

@@ -142,7 +142,7 @@ def _gate(report: TeamReport) -> str:
     if (given := report.extent.given) is not None:
         return given.gate
     if not report.whole:
-        return "the merge of all shards compares the counts"
+        return "not for a shard: the merge of all shards compares the counts"
     if not report.cells:
         empty = "no finished level has a map"
         return empty if source_of(report.extent) else "absent: no formula counts these maps"
@@ -156,7 +156,15 @@ def _gate(report: TeamReport) -> str:
 
 def size_table(report: TeamReport) -> parts.Table:
     """A table of the counts for each number of edges and vertices."""
-    header = ["edges", "vertices", "maps", "worlds", "configurations", "most", "longest"]
+    header = [
+        "edges",
+        "vertices",
+        "maps",
+        "worlds",
+        "configurations",
+        "in one world",
+        "longest run",
+    ]
     rows = [
         [r.edges, r.vertices, r.maps, r.worlds, r.configurations, r.most, r.longest]
         for r in report.rows

@@ -106,7 +106,7 @@ def sentences_of(finding: TeamFinding) -> Iterator[str]:
         first = events - finding.loop + 1
         which = f"Events {first} to {events} repeat" if first < events else f"Event {first} repeats"
         yield f"{which} for ever."
-        yield "Meanwhile no robot that can always act is left out: the schedule is fair."
+        yield "The schedule is fair: a robot that can act all this time does act."
     elif events:
         yield f"This happens after {plural(events, 'event')}, and in this world never after fewer."
     late = [*_stale(finding)]
