@@ -41,12 +41,12 @@ gate       no map was forgotten: the number equals an independent count (log-ser
 schedules  44
 
 Finished levels
-edges  vertices  maps  worlds  configurations  in one world  longest run
-    1         1     1       2               2             1            0
-    1         2     1       2               3             2            1
-    2         1     3      12              12             1            0
-    2         2     5      20              34             6            5
-    2         3     2       8              18             5            4
+edges  vertices  maps  worlds  configurations  in a world  longest run
+    1         1     1       2               2           1            0
+    1         2     1       2               3           2            1
+    2         1     3      12              12           1            0
+    2         2     5      20              34           6            5
+    2         3     2       8              18           5            4
 """
 
 ASYNC = """\
@@ -82,9 +82,9 @@ gate       no map was forgotten: the number equals an independent count (log-ser
 numbers    starts that are equal but for the numbers of the robots are searched separately
 
 Finished levels
-edges  vertices  maps  worlds  configurations  in one world  longest run
-    1         1     1       0               0             0            0
-    1         2     1       1              14            14            0
+edges  vertices  maps  worlds  configurations  in a world  longest run
+    1         1     1       0               0           0            0
+    1         2     1       1              14          14            0
 """
 
 SEQUENCE = """\

@@ -147,18 +147,17 @@ class Across:
         """
         assert isinstance(self.work.unit, AcrossUnit)
         self.begun = True
-        due = [run for run in self._judge.counter.runs(self.work.unit) if run.lighthouse]
+        runs = [
+            Due(run.number, run.place, World(run.map, run.lighthouse, 0))
+            for run in self._judge.counter.runs(self.work.unit)
+            if run.lighthouse
+        ]
         first, second = self._plays
-        wanted = {(run.map, run.place) for run in due}
+        wanted = {(due.world.map, due.place) for due in runs}
         if wanted <= known.keys():
             logs = [one for at, one in known.items() if at in wanted]
             runs, first.logs = [one.due for one in logs], [one.log for one in logs]
         else:
-            runs = [
-                Due(run.number, run.place, World(run.map, run.lighthouse, 0))
-                for run in due
-                if run.lighthouse
-            ]
             first.player = started(self._setup, first.seed)
         self._right = {(*at, one.log) for at, one in known.items() if one.right}
         self.batch = RunBatch(self._judge, self.work, runs)

@@ -565,9 +565,7 @@ TELLERS: dict[str, Teller] = {
     "pose": tell_pose,
     "ambiguity": tell_ambiguity,
     "task": ending("The explorer did not do what the task asks for."),
-    "invariant-1": checkpoint(
-        "Either S is not the explored part of the world, or 'here' is not the robot's dart."
-    ),
+    "invariant-1": checkpoint("S is not the explored part, or 'here' is not the robot's dart."),
     "invariant-2": checkpoint(
         "The U of a checkpoint must hold only unexplored darts, but it holds an explored one."
     ),

@@ -156,15 +156,7 @@ def _gate(report: TeamReport) -> str:
 
 def size_table(report: TeamReport) -> parts.Table:
     """A table of the counts for each number of edges and vertices."""
-    header = [
-        "edges",
-        "vertices",
-        "maps",
-        "worlds",
-        "configurations",
-        "in one world",
-        "longest run",
-    ]
+    header = ["edges", "vertices", "maps", "worlds", "configurations", "in a world", "longest run"]
     rows = [
         [r.edges, r.vertices, r.maps, r.worlds, r.configurations, r.most, r.longest]
         for r in report.rows

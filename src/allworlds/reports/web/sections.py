@@ -55,8 +55,7 @@ def framed(
 ) -> str:
     """A page as an HTML document that refers to no other file.
 
-    The page tells the browser the hashes of its own style and scripts, and forbids all others.  So
-    text of a user that looks like a script is never run.
+    It tells the browser the hashes of its style and scripts, so that no other script is ever run.
 
     Args:
         title: the command and its subject.
