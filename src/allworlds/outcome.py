@@ -72,9 +72,9 @@ class Stopped(Struct, frozen=True):
 
     Attributes:
         reason: the reason for the stop.
-        final: whether the stop itself ends the job, as after enough findings: if the same job began
-            again with the same run directory, the job would do nothing more.  False if the job
-            would go on, for example after a time limit.
+        final: True if nothing is left to do, as after enough findings: if the same job began again
+            with the same run directory, the job would do nothing more.  False if the job would go
+            on, for example after a time limit.
     """
 
     reason: str

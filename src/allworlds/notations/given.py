@@ -85,12 +85,14 @@ class Digest(Struct, frozen=True):
 class GivenMaps:
     """Maps that are given one by one, instead of all maps of a class.
 
-    If this object is sent to another process, it loses the maps; each unit of work brings its maps.
+    A copy of this object in another process has no maps; there, each unit of work brings the maps
+    of the unit.
 
     Args:
         noun: the noun for a single map, for messages.
         of: words about the origin of the maps; empty for worlds that were made in this process.
-        gate: why the number of the maps cannot be compared with an independent count, as a clause.
+        gate: the reason why no independent count of the maps exists, with which the count gate
+            could compare their number; such as ``the maps come from a file``.
         found: for each map three things: its name for error messages, its key (the number of the
             file, the offset in the file, and the number of the map), and the map.
         find: the function that returns the map with a key.
@@ -99,7 +101,8 @@ class GivenMaps:
     Attributes:
         count: the number of the maps.
         words: the number and the origin of the maps, such as ``3 maps of plan.json``.
-        starts: for each number of edges, ascending, the number of rooted maps.
+        starts: a mapping from each number of edges, ascending, to the number of starts of all maps
+            with so many edges.
         lighthouse: the kind of lighthouse that the given worlds have; None if they have none.
         fixed: whether each map comes with a single start and a single place of its lighthouse.
 
@@ -143,9 +146,10 @@ class GivenMaps:
     def described(self) -> dict[str, Any]:
         """The part of the scope of a verdict that describes the given maps: keys with their values.
 
-        The keys are ``sha256``, the digest of each file by the file's name, or None without files;
-        ``given``, the number of the maps; and, only for worlds that were made in this process,
-        ``worlds`` with an empty value.
+        The value of ``sha256`` is a mapping from the name of each file to its digest, or None
+        without files.  The value of ``given`` is the number of the maps.  For worlds that were made
+        in this process, there is also the key ``worlds`` with an empty value: in the scope it
+        replaces the worlds themselves, which JSON cannot hold.
         """
         digests = {code.plain: code.record for code in self.codes}
         named = {} if self.of else {"worlds": ()}
@@ -197,10 +201,12 @@ def held(
 def files_of(*names: str) -> tuple[Digest, ...]:
     """The digests of the files with the names ``names``; a file that is named twice has one digest.
 
+    A merge, for example, happens inside a context of
+    :func:`~allworlds.protocol.user_code.as_recorded`, which holds the digests that the files had
+    when the shards ran.  In such a context each file must still have its recorded digest.
+
     Raises:
-        InputError: if a file cannot be read; or, inside a context of
-            :func:`~allworlds.protocol.user_code.as_recorded`, if a file does not have the digest
-            that was recorded for its name.
+        InputError: if a file cannot be read, or has another digest than the recorded one.
     """
     found = list[Digest]()
     for name in dict.fromkeys(names):

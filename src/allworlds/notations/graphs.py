@@ -5,18 +5,23 @@ The order of the edges round each vertex follows from a drawing of the graph, by
 between the positions of its ends, or a line with bends.  A position is read from ``pos`` (two
 numbers, or a text of two), from ``x`` and ``y``, from ``graphics`` in GML, or as the middle of a
 box in yEd.  The points of a line with bends are read from yEd's ``Path``, from ``Line`` in GML, or
-from ``geometry``.  The direction in which such an edge leaves a vertex is the direction from the
-middle of the vertex's box to the point where the line crosses the side of the box.
+from ``geometry``.
+
+An edge leaves a vertex in the direction from the middle of the vertex's box to the point where the
+edge's line crosses the side of the box.  If the file has no box for a vertex, the line begins at
+the vertex's position, and its direction there is that of its first piece.
 
 Arcs and other curves are refused.  A file is also refused if networkx reads another number of nodes
 or edges than the file holds.  A graph without positions has no order of its edges; a search of all
 embeddings takes such graphs from :func:`named_graph`.
 
 The names of the vertices are the labels of the nodes if all nodes have different labels, otherwise
-the ids of the nodes.  The nodes in a group are vertices; the group itself is ignored.  A directed
-edge needs the reverse edge, too; the two become one edge, and are refused if they have different
-ids.  yEd calls all edges directed; in files of yEd only an edge with an arrow at exactly one end
-leads one way, and is refused.
+the ids of the nodes.  The nodes in a group are vertices; the group itself is ignored.
+
+A directed edge needs the reverse edge, too; the two become one edge, and are refused if they have
+different ids.  Files of yEd have another rule, since yEd calls all edges directed: an edge with an
+arrow at exactly one end is refused, even if the reverse edge is there; any other edge counts as
+undirected.
 """
 
 from __future__ import annotations
@@ -421,15 +426,17 @@ def _leaves(path: list[Point], middle: Point, half: Point, slack: Fraction) -> P
     """The point of the drawing that determines the direction in which a line leaves a box.
 
     The direction is that from the middle of the box to the result.  In general the result is the
-    point where the line crosses the side of the box.  But it is the first point in ``path`` outside
-    the box if the point before it is the middle of the box, or if the box has no width or no
-    height.  If no point in ``path`` is outside the box, the result is the last point in ``path``.
+    point where the line crosses the side of the box.  In three cases the result is simpler.  First:
+    the last point of ``path`` in the box is the middle of the box, so the line goes straight from
+    the middle to the next point; then this next point is the result.  Second: the box has no width
+    or no height; then the result is the first point of ``path`` outside the box.  Third: no point
+    of ``path`` is outside the box; then the result is the last point.
 
     Args:
         path: the points of the line, beginning in the box.
         middle: the middle of the box.
         half: half the width and half the height of the box.
-        slack: the tolerance with which a point counts as inside the box.
+        slack: a tolerance: a point that is at most so far outside the box counts as inside.
     """
     before, after = middle, path[-1]
     for point in path:

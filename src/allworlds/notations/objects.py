@@ -13,10 +13,11 @@
 The darts or neighbours of a vertex are clockwise; if a file has them anticlockwise, the user must
 give the option ``--order anticlockwise``.
 
-The faces of a fat graph must fit the vertices as the file has them, clockwise or not: in a face,
-the dart after d is the dart that stands *before* alpha(d) in the cycle of a vertex.  (In a face of
-the glossary it is the dart *after* alpha(d), clockwise.)  A ``FatGraph`` of the package
-surface_dynamics for Sage has such faces, and its vertices are anticlockwise.
+In a face of a fat graph, the dart after d must be the dart that the file lists just *before*
+alpha(d) in the cycle of a vertex; this holds with and without the option.  (In a face of the
+glossary, the dart after d is the dart that comes *after* alpha(d), clockwise.)  A ``FatGraph`` of
+the package surface_dynamics for Sage has such faces; but its vertices are anticlockwise, so it
+needs the option.
 """
 
 from collections import Counter

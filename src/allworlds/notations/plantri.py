@@ -34,9 +34,11 @@ a byte of this value separates two vertices."""
 def _begun(file: IO[bytes], code: bytes) -> bytes:
     """The word in the header of a file, ``b" le"`` or ``b" be"``; empty without a word or a header.
 
-    ``code`` is the beginning of the header.  The header is read at the beginning of the file,
-    whatever the file's position is.  Afterwards the position is the same as before; only a position
-    before the end of the header becomes the end of the header.
+    The header stands at the beginning of the file, but reading may begin at a later world.  So this
+    function reads the header from the beginning of the file, and then sets the file's position
+    back.  If the position was before the end of the header, it is set to the end of the header.
+
+    ``code`` is :data:`PLANAR` or :data:`EDGE`: the bytes with which the header begins.
 
     Raises:
         InputError: if the header has another word, or no end.

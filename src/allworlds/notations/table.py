@@ -212,9 +212,13 @@ def _turned(entry: Entry, notation: Notation, order: Order | None, y: YAxis | No
     """The world that a file means; ``entry`` is this world or its mirror image.
 
     ``entry`` comes from ``notation.read``, which takes every order of edges as clockwise and every
-    y axis as upward.  ``order`` and ``y`` tell the true order and the true axis, as in
-    :func:`entries`.  If the true order is anticlockwise, or the true axis points down, the result
-    is the mirror image of ``entry``.
+    y axis as upward.  ``order`` and ``y`` are the options of :func:`entries`, which tell the true
+    order and the true axis.  In a notation with a y axis, the result is the mirror image of
+    ``entry`` if the true axis points down.  In any other notation, it is the mirror image if the
+    true order is anticlockwise.
+
+    Raises:
+        InputError: if ``order`` is anticlockwise in a notation with a y axis.
     """
     labels = entry.labels.checked(entry.map)
     if notation.y:
@@ -296,16 +300,19 @@ def entry_named(
 def graph_in(
     file: str | Path, order: Order | None = None, y: YAxis | None = None
 ) -> tuple[Any, Labelling]:
-    """The graph in a file, as networkx has it, and its labels: its name, and the nodes' names.
+    """The graph in a file, as networkx has it; and its labels: the graph's name, the nodes' names.
 
-    The names are in the order of the graph's nodes.  In GraphML, GML and graph6 the names are the
-    nodes themselves; in other notations the nodes are numbers, and the names may be missing.
-    ``order`` and ``y`` must be legal for the file, as in :func:`entries`; the graph does not depend
-    on them.
+    The names of the nodes are in the order of the graph's nodes.  In GraphML, GML and graph6 the
+    nodes are texts, and are their own names; in other notations the nodes are numbers, and the
+    names may be missing.
+
+    ``order`` and ``y`` are the options of :func:`entries`.  An option that is illegal for the file
+    is refused, as in that function; a legal one changes nothing, since the result has no order of
+    the edges.
 
     Raises:
-        InputError: if the file does not hold one graph or one world; the message names the part
-            that cannot be read.
+        InputError: if the file does not hold one graph or one world, or if an option is illegal;
+            the message names the part that cannot be read.
     """
     with _opened(file) as (stream, notation):
         if notation.graph:

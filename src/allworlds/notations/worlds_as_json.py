@@ -70,9 +70,10 @@ def read_lines(
 def _entry(parse: Callable[[str], Any], text: str, line: int, start: int) -> Entry:
     """The world of a text; ``parse`` makes from the text the object that :func:`entry_of` takes.
 
-    ``line`` and ``start`` are for messages alone.  ``line`` is the number of the text's first line,
-    counted from the byte ``start`` of the file, where the reading began; the message also has
-    ``start``, unless it is 0.
+    ``line`` and ``start`` only tell the user in messages where the text stands in the file.
+    ``start`` is the offset of the byte at which the reading of the file began.  ``line`` is the
+    number of the first line of the text; the line with the byte ``start`` has the number 1.  A
+    message begins like ``line 3``, or like ``line 3 from byte 120 on`` if ``start`` is not 0.
     """
     with at(f"line {line}" + (f" from byte {start} on" if start else "")):
         return entry_of(parse(text.strip()))

@@ -163,9 +163,9 @@ _MOVES = tuple(Move(k) for k in range(64))
 def action_numbered(number: int) -> Action:
     """The action that a number stands for.
 
-    A number ``k`` from 0 on stands for ``Move(k)``.  The numbers below 0 are :data:`DROP`,
-    :data:`PICK` and, for ``Write(k)``, ``WRITE - k``.  For a motion below 64 each call returns the
-    same object.
+    A number ``k`` from 0 on stands for ``Move(k)``.  The number -1, :data:`DROP`, stands for
+    ``Drop()``; -2, :data:`PICK`, for ``Pick()``.  ``Write(k)`` has the number ``WRITE - k``, where
+    :data:`WRITE` is -3.
     """
     if 0 <= number < len(_MOVES):
         return _MOVES[number]
@@ -219,9 +219,11 @@ class Estimate:
 class Ambiguous(WrittenByFields):
     """Rooted quotient.
 
-    The answer under the lighthouse 'position' if other worlds look alike: the quotient that all
-    these worlds share, and the robot's place in the quotient.  This class checks no value; the
-    judge does.
+    An answer that is legal only under the lighthouse 'position', where a marker lies at v0 and
+    points along no dart.  It is the right answer if the robot's world looks like other worlds.  It
+    holds the quotient that all these worlds share, and the robot's place in the quotient.  A dart
+    ``d`` of the quotient with ``alpha[d] == d`` is half an edge: it stands for edges of the world
+    whose two darts look alike.  This class checks no value; the judge does.
     """
 
     sigma: Annotated[Entries[Dart], about("for each dart the next one clockwise round its vertex")]

@@ -193,7 +193,8 @@ def are_due(script: Sequence[int], record: Sequence[int], widths: Sequence[int])
     """Whether a run made the choices of its script, and took the first option at all later choices.
 
     ``record`` and ``widths`` are those of the run's :class:`Choices`.  The result is also false if
-    ``widths`` does not have the number of options for every choice.
+    ``widths`` does not have one number for each choice in ``record``: without these numbers,
+    :func:`next_script` cannot find the next schedule.
     """
     length = max(len(script), len(record))
     due = (*script, *(0,) * (length - len(script)))

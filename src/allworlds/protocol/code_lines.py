@@ -61,10 +61,11 @@ class TracedPlay:
         self._walk: Generator[Any, Any, Any]
 
     def player(self, player: actions.Player) -> Any:
-        """The given player for one run, with this object in place of the player's generator.
+        """A function that begins a run of ``player``; it returns this object as the run's generator.
 
-        The result is a function: it begins a run of ``player``, keeps the generator of this run,
-        and returns this object.
+        The function calls ``player``, and keeps the generator that ``player`` returns; :meth:`send`
+        and :meth:`close` call the methods of this generator.  The function is called only once,
+        since this object is for one run.
         """
 
         def play(*told: Any) -> Any:

@@ -134,7 +134,17 @@ def play_run(
 
 
 class _Turns(Struct):
-    """The play of one run, turn by turn: each message of the explorer gets an entry in the log."""
+    """The play of one run, turn by turn: each message of the explorer gets an entry in the log.
+
+    Attributes:
+        log: the log so far.
+        around: the surroundings, which answer the actions.
+        choices, budget, beat, hear: the arguments of :func:`play_run`.
+        own: the InputError that the explorer's generator has raised, or None; :func:`play_run`
+            tells it from an InputError of a user's model.
+        _noted: the number of choices that are in the log already.
+        _shown: the number of checkpoints so far.
+    """
 
     log: bytearray
     around: Surroundings
@@ -384,7 +394,12 @@ def raised(error: BaseException, own: int = 2) -> bytes:
 
 
 def _no_map(error: InvalidMap) -> bytes:
-    """The entry in the log about an InvalidMap that the explorer raised: its answer is no map."""
+    """The entry in the log about an InvalidMap that the explorer raised: the fault ``no-estimate``.
+
+    InvalidMap is raised if the explorer makes a map from a sigma and an alpha that are no map.  The
+    entry also has this sigma and alpha, if the exception has them, and the line of the explorer
+    that made the map.
+    """
     built = [
         f"{BUILT}in {frame.filename}, line {frame.lineno}, in {frame.name}: {frame.line}"
         for frame in traceback.extract_tb(error.__traceback__)

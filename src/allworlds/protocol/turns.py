@@ -1,16 +1,19 @@
 """Programs of robots: after each percept a program is asked for its next action.
 
 This module knows no worlds and no schedules.  A *history* is the value that a robot is told before
-the start, and the robot's percepts after it.  A *turn* adds one percept to a history.  A turn is a
-tuple ``(number, before, percept)``: the number of the turn, the number of the turn with which the
-history has ended so far, and the new percept.  In the first turn of a history ``before`` is
-:data:`BEGIN`, and the told value stands in place of a percept.
+the start, and the robot's percepts after it.  Several histories may begin alike, and go on with
+different percepts.  A *turn* is one step of a history, a tuple ``(number, before, percept)``.  The
+first turn of a history brings the told value, in place of a percept, and its ``before`` is
+:data:`BEGIN`.  Each later turn brings one percept; its ``before`` says which steps came before.
 
-A program is a generator or an automaton.  A generator is kept alive after a turn, and gets the next
+A program is a generator or an automaton.  In a turn of a generator, ``before`` is the number of the
+turn before it in the same history.  A generator is kept alive after a turn, and gets the next
 percept.  If the same history also goes on with another percept, a new generator replays the
-history, since a generator cannot be copied.  An automaton computes its action and its next memory
-from its memory and the percept.  Its memories are never sent to another process, but each has a
-number.  In a turn of an automaton, ``before`` is the number of the memory before the turn.
+history, since a generator cannot be copied.
+
+An automaton computes its action and its next memory from its memory and the percept.  Its memories
+are never sent to another process; instead, each memory has a number, which is no number of a turn.
+In a turn of an automaton, ``before`` is the number of the memory before the turn.
 """
 
 from __future__ import annotations
@@ -86,10 +89,11 @@ class Turns:
     Args:
         explore: the function of the program, or an automaton.
         player: the same program as a function that begins a run, see :class:`actions.Player`.
-        beat: numbers that other processes can read, to notice that the program is silent:
-            ``beat[0]`` is the index of the turn on which the program works; ``beat[1]`` is above 0
-            while the program works, and grows with each percept that a generator gets, also in a
-            replay.
+        beat: two numbers that another process reads: while they stay the same, the program is
+            silent.  ``beat[0]`` is the index of the turn on which the program works, in the list
+            that :meth:`replies` got; in :meth:`plays` the index of the history.  ``beat[1]`` is 0
+            while the program does not work; else it is above 0, and grows with each percept that a
+            generator gets, also in a replay.
         keeps: whether several runs are kept alive.  A program outside Python, which is asked
             through a pipe, has one run at a time.
     """
@@ -113,15 +117,17 @@ class Turns:
         self._numbers: dict[Any, int] = {}
 
     def replies(self, turns: Sequence[NumberedTurn], *, known: bool = False) -> list[bytes]:
-        """The program's reply in each turn, as bytes that :func:`said` reads.
+        """The program's reply in each turn, as bytes that :func:`said` reads, or empty bytes.
+
+        In the first turn of a history a generator has no percept yet, so its reply is empty bytes.
 
         Args:
             turns: the turns, in their order.
-            known: whether the program has answered these turns before, in another process.  If so,
-                a generator is not asked: its turns are only stored, for later replays, and its
-                replies are empty.  An automaton is asked again, so that its memories get numbers.
-
-        The reply of a generator to the first turn of a history is empty, too.
+            known: whether another process of the program has answered these turns already, and this
+                process only learns them.  If so, a generator is not asked: its turns are stored for
+                later replays, and its replies are empty bytes.  An automaton is asked again, so
+                that its memories get numbers in this process, too; the same turns in the same order
+                give the same numbers.
         """
         found = []
         for index, turn in enumerate(turns):
@@ -138,8 +144,11 @@ class Turns:
         """All replies of the program in each of several histories.
 
         A history is given as the value that the robot is told before the start, and its percepts.
-        For each history the result has a list of replies, written by :mod:`marshal`; :func:`said`
-        reads each reply.  The histories are not kept, but new memories of an automaton get numbers.
+        The result has one element for each history: bytes, from which :mod:`marshal` reads the list
+        of the replies in the turns of this history.  These replies are those of :meth:`replies`.
+
+        Later turns cannot go on from these histories, since the histories are not kept.  But the
+        memories that an automaton had in them keep their numbers.
         """
         found = []
         for index, (told, history) in enumerate(histories):
@@ -237,7 +246,11 @@ class Turns:
 
 
 def percept_of(sensed: Sensed) -> Any:
-    """The percept that a program gets; if it is a JSON value, each call makes a new copy."""
+    """The percept that a program gets; ``sensed`` is this percept as it stands in a message.
+
+    If ``sensed`` is the text of a JSON value, each call makes a new value, so a program that
+    changes its percept changes no other percept.
+    """
     return json.loads(sensed) if isinstance(sensed, bytes) else _percept(*sensed)
 
 

@@ -135,15 +135,21 @@ class UserCode(Struct, frozen=True):
 
     @property
     def recorded(self) -> bool:
-        """Whether the text was recorded earlier, and is not read now; see :func:`as_recorded`."""
+        """Whether the present context of :func:`as_recorded` has a record of the program.
+
+        A program's :attr:`record` is kept in a run directory, or sent to another process.  In such
+        a context the program is found by its record; its file is not read for this.
+        """
         return self.plain in _RECORDED.get()
 
     @property
     def record(self) -> str:
-        """The value that :func:`as_recorded` takes, to recognise the program later.
+        """The value that :func:`as_recorded` takes for the program: a text, or a digest.
 
-        The value is the text of the program's file; or, if the program is named by a module, the
-        digest of the module's text.
+        If the program is named by a file, the value is the text of the file; a later job can run
+        this text, even if the file has changed.  If the program is named by a module, Python itself
+        reads the module's text, so only the digest of this text is recorded; a later job refuses a
+        changed module.
         """
         return self.source.text if self.source else self.digest
 
