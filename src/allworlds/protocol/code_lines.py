@@ -61,7 +61,7 @@ class TracedPlay:
         self._walk: Generator[Any, Any, Any]
 
     def player(self, player: actions.Player) -> Any:
-        """A function that begins a run of ``player``; it returns this object as the run's generator.
+        """A function that begins a run of ``player``, and returns this object as its generator.
 
         The function calls ``player``, and keeps the generator that ``player`` returns; :meth:`send`
         and :meth:`close` call the methods of this generator.  The function is called only once,

@@ -227,9 +227,9 @@ def census_content(census: census_sweep.AmbiguityCensus) -> parts.ReportContent:
     """The content for a census: how many worlds look like others, and the smallest two that do.
 
     One table has a row for each number of edges.  A second table, and the CSV file, have a row for
-    each pair of a number of edges and a number of vertices.  Each row has the number of worlds, of
-    worlds that look like another world, and of the ambiguity classes of the latter, and the size of
-    the largest class.
+    each pair of a number of edges and a number of vertices.  Each row has four numbers: the worlds;
+    the worlds that look like another world; the ambiguity classes with two or more worlds; and the
+    worlds in the largest of these classes.
     """
     header = ["marked worlds", "ambiguous", "groups of lookalikes", "largest group"]
     rows = [[row.edges, *_counts(row)] for row in census.rows]

@@ -86,10 +86,10 @@ def _in_short(report: CheckReport) -> list[tuple[str, str]]:
 
 
 def _rows(report: CheckReport) -> parts.CsvRows:
-    """A row for each pair of a number of edges and a number of vertices.
+    """The rows of the CSV file: one for each pair of a number of edges and a number of vertices.
 
-    This holds for a sample, too, although :func:`size_table` shows its counts for each number of
-    edges alone.
+    The CSV file of a sample has these rows, too, but the table of a sample (:func:`size_table`) has
+    one row for each number of edges.
     """
     played = {"worlds": int, "runs": int, "episodes": int}
     costs = {"traversals": int, "traversals_rooted": int, "max_cost": int, "bound": int}
@@ -198,12 +198,13 @@ def scope_words(report: CheckReport) -> list[tuple[str, str]]:
 
 
 def _of_sample(report: CheckReport) -> Iterator[tuple[str, str]]:
-    """Yield facts about a sample of random worlds, called draws; none if all worlds are checked.
+    """Yield facts about a sample of random worlds; none if all worlds are checked.
 
-    The facts are: the mixture, which is the list of the ways of drawing that take turns; the number
-    of further worlds that were not drawn, but made from drawn worlds by small changes, if there are
-    any; and, if the whole sample breaks no law, a bound on the probability that one more draw
-    refutes the explorer.
+    A *draw* is a random world of the sample.  The first fact is the mixture: the ways of drawing,
+    which take turns.  The second fact, if there are any such worlds, is the number of the worlds
+    that were made from draws by small changes.  The third fact is a bound on the probability that
+    one more draw refutes the explorer.  It is yielded only if the verdict is ``not-refuted``, and
+    the report is about the whole sample and not about a shard.
     """
     sample = report.asked.coverage
     if not isinstance(sample, units.Sample):
@@ -288,11 +289,14 @@ def _gate(report: CheckReport) -> str:
 
 
 def _listed(cells: Sequence[GateCell]) -> str:
-    """Words that say up to which number of edges a second enumeration agrees with the check.
+    """Words that say up to which number of edges a second enumeration found the same maps.
 
-    The count gate compares numbers of maps; where the fingerprint of a second enumeration, made by
-    other code, is known, the gate also compares fingerprints.  ``cells`` holds the comparisons of
-    the gate, all of which agree.  The result is empty if no such fingerprint is known.
+    The check enumerates all maps of a level, and the count gate compares their number with an
+    independent count.  For few edges, other code enumerates the maps a second time; then the gate
+    also compares the fingerprints of both enumerations.
+
+    ``cells`` holds the comparisons of the gate, all of which agree.  In a comparison, ``listed`` is
+    the fingerprint of the second enumeration; if it is empty in all of them, so is the result.
     """
     most = max((cell.edges for cell in cells if cell.listed), default=0)
     return f"; up to {plural(most, 'edge')} a second enumeration agrees" if most else ""

@@ -99,8 +99,9 @@ def _lines_of_levels(report: comparison.Comparison) -> Lines:
 def _lines_of_families(report: growth.Growth) -> Lines:
     """The lines of mean cost by number of edges: one for each explorer and family.
 
-    If the costs of an explorer have a bound, a second line for each family shows the largest bound
-    of a run at each number of edges.
+    An explorer may have a bound of its cost, which depends on the world.  Then there is a second
+    line for the explorer and family: at each number of edges it shows the largest bound in these
+    worlds.
     """
     lines: Lines = {}
     shown = dict(zip(report.names, _short_names(report), strict=True))
@@ -115,7 +116,11 @@ def _lines_of_families(report: growth.Growth) -> Lines:
 
 
 def _curve(lines: Lines) -> Iterator[parts.Curve]:
-    """The curve of the mean cost by size; no curve if a line has a single size or a cost of 0."""
+    """Yield the curve of the mean cost by size, which has one or more lines; or yield nothing.
+
+    Nothing is yielded if one of the lines has points of a single size, which do not make a line, or
+    if it has a point with a value of 0, since the axes are logarithmic.
+    """
     if all(
         len({x for x, *_ in line}) > 1 and all(min(p) > 0 for p in line) for line in lines.values()
     ):

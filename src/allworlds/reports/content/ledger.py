@@ -68,7 +68,11 @@ def _rows(report: LedgerReport) -> parts.CsvRows:
 
 
 def _heading(section: str) -> str:
-    """The heading of a section: ``Section IV`` for ``IV``; any text but a number stays as it is."""
+    """The heading of a section: ``Section IV`` for ``IV``; a text with words stays as it is.
+
+    ``Section`` is put before a Roman number, a number such as ``4`` or ``4.2``, and a capital
+    letter.
+    """
     return f"Section {section}" if re.fullmatch(r"[IVXLC]+|[0-9.]+|[A-Z]", section) else section
 
 

@@ -54,7 +54,8 @@ def each_of(given: MapSource) -> str:
 def maps_in_words(report: OfWorlds, every: str = "every rooted map") -> str:
     """The maps of a report in words, with the shard if the report is about a shard.
 
-    ``every`` stands for the maps if no maps are given.
+    If the report is about worlds that the user gave, the result names their origin.  Otherwise the
+    report is about a class of maps, and ``every`` is the text that stands before the class.
     """
     shard = f", shard {report.portion}" if report.portion != units.WHOLE else ""
     given = report.extent.given
@@ -123,12 +124,13 @@ def miscount(edges: int, vertices: int, met: int, source: str, counted: int) -> 
 def gate_facts(report: Any, what: str, *, is_compared: bool) -> list[tuple[str, str]]:
     """One fact about the count gate: that the counts agree, or the reason why none was compared.
 
-    The counts must not differ; for counts that differ see :func:`miscount`.
+    This function is not called if counts differ; then :func:`miscount` makes the sentence.
 
     Args:
         report: the report of a job or of a shard, with the source of its counts.
         what: the name of what was counted.
-        is_compared: whether a level was finished, so that its counts were compared.
+        is_compared: whether the counts of at least one level were compared; the gate compares the
+            counts of each finished level.
     """
     if report.extent.given is not None:
         said = report.extent.given.gate

@@ -1,8 +1,8 @@
-"""Content of reports about sensors: lighthouses side by side, and the weakest lighthouses.
+"""Content of reports about sensors: lighthouses side by side, and the weakest sensors.
 
-A sensor *suffices* if no two different worlds of the scope look alike under it.  A sensor *tells at
-least as much* as another one if any two worlds that look alike under the first sensor also look
-alike under the second.
+Each lighthouse is a *sensor*; a coarsening of its letters is another one.  A sensor *suffices* if
+it tells all different worlds of the scope apart.  A sensor *tells at least as much* as another one
+if it tells apart all worlds that the other one tells apart.
 """
 
 from collections.abc import Iterable, Iterator, Sequence
@@ -83,10 +83,15 @@ def _scope(extent: Extent) -> str:
 
 
 def _drawn(dominates: Pairs, names: Sequence[str]) -> Iterator[str]:
-    """Yield a line for each sensor, below the lines of sensors that tell more worlds apart.
+    """Yield the lines of a text that shows the order of sensors: a sensor that tells less is lower.
 
-    Sensors that tell the same worlds apart share a line.  ``names`` are the sensors.  In each pair
-    of ``dominates`` the first sensor tells at least as much as the second.
+    Sensors that tell the same worlds apart share a line, joined by ``=``.  Below this line, farther
+    to the right, stand the sensors that tell less.  A sensor may stand below several others.  A
+    sensor that is in no pair of ``dominates`` is left out.  A long line is wrapped.
+
+    Args:
+        dominates: pairs of sensors; the first one tells at least as much as the second one.
+        names: the names of all sensors.
     """
     above = {name: {a for a, b in dominates if b == name} for name in names}
     below = {name: {b for a, b in dominates if a == name} for name in names}
@@ -113,11 +118,11 @@ def _drawn(dominates: Pairs, names: Sequence[str]) -> Iterator[str]:
 
 
 def _less_at_a_step(found: AmbiguitySensors) -> Iterator[str]:
-    """Yield a sentence for each sensor that senses less than another one, but tells as much.
+    """Yield a sentence for each sensor that senses less in one step, but tells as much after many.
 
-    A sensor senses less than another one if, at each dart, its percept follows from the percept of
-    the other sensor, but not the other way round.  Both tell as much if, after enough motions, they
-    tell the same worlds apart.
+    Sensor A senses less than sensor B if, at each dart, the percept of A follows from that of B,
+    while the percept of B does not always follow from that of A.  A tells as much as B if all
+    worlds that B tells apart by any number of motions are told apart by A, too.
     """
     for row in found.rows:
         less = row.lighthouse
@@ -145,9 +150,9 @@ def _pictures(named: Iterable[tuple[str, AlikePair]]) -> Iterator[parts.Section]
 def weakest_content(found: AmbiguityWeakest) -> parts.ReportContent:
     """The content for the weakest sensors: minimal coarsenings, and twins under coarser sensors.
 
-    A coarsening is a sensor that is made from a finer sensor: some letters of the finer sensor
-    become one letter.  A minimal coarsening suffices; but if two more of its letters become one,
-    the sensor that results does not suffice, as twins under that sensor show.
+    A coarsening is made from a finer sensor: some letters of the finer sensor become one letter.  A
+    coarsening is minimal if it suffices, but no longer suffices after any two of its own letters
+    become one.  For each such pair of letters, the report shows twins that look alike then.
     """
     rows: list[list[parts.Cell]] = [
         [

@@ -256,7 +256,11 @@ def printed(output: str, shown: str = "") -> list[parts.Block]:
 
 
 def nothing_checked(rules: Rules) -> str:
-    """The reason why nothing was checked: the laws need checkpoints, and no run shows any."""
+    """The sentence for a report in which no law was checked, because no run shows a checkpoint.
+
+    The sentence lists the laws of ``rules``, all of which need checkpoints.  The caller knows that
+    none of them was checked.
+    """
     laws = words.listed(rules.judged)
     return f"nothing was checked: the explorer shows no checkpoints, which are needed for {laws}"
 
@@ -267,7 +271,13 @@ counted."""
 
 
 def wrong_line(finding: Finding, step: int | None) -> str:
-    """The line of the user's code at the first wrong step, checkpoint or end; empty if unknown.
+    """The line of the user's code that a finding is about; empty if the line is unknown.
+
+    The first of these cases that applies decides.  First: the explorer was silent for too long, and
+    its stack is known; the line is the innermost one in the stack.  Second: a checkpoint is wrong;
+    the line yields this checkpoint.  Third: the walk in the answer and the walk in the world
+    diverge at a step; the line yields the action of this step.  Fourth: the broken law is not
+    ``bound``; the line is the last one that is known, where the explorer ended.
 
     Args:
         finding: the finding.
@@ -394,7 +404,14 @@ def _belief(story: Story) -> list[parts.Block]:
 
 
 def answer_view(walk: Walk, answer: Estimate, trail: Sequence[Dart]) -> parts.View:
-    """The picture of an answer; ``trail`` has the robot's darts on the walk in the answer's map."""
+    """The picture of an answer, in which the walk can be followed.
+
+    Args:
+        walk: the walk of the run in the world.
+        answer: the explorer's answer.
+        trail: the same walk in the map of the answer: the robot's dart at the start and after each
+            step.
+    """
     scene = parts.walk_in_answer(walk, answer)
     note = "R: where the robot stands according to the answer"
     return parts.View("answer", "The answer", scene, trail, note)
