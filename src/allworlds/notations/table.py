@@ -300,7 +300,7 @@ def entry_named(
 def graph_in(
     file: str | Path, order: Order | None = None, y: YAxis | None = None
 ) -> tuple[Any, Labelling]:
-    """The graph in a file, as networkx has it; and its labels: the graph's name, the nodes' names.
+    """The graph in a file, as networkx has it; and its labels: its name, and the nodes' names.
 
     The names of the nodes are in the order of the graph's nodes.  In GraphML, GML and graph6 the
     nodes are texts, and are their own names; in other notations the nodes are numbers, and the

@@ -394,7 +394,7 @@ def raised(error: BaseException, own: int = 2) -> bytes:
 
 
 def _no_map(error: InvalidMap) -> bytes:
-    """The entry in the log about an InvalidMap that the explorer raised: the fault ``no-estimate``.
+    """The entry in the log if the explorer raised InvalidMap: the fault ``no-estimate``.
 
     InvalidMap is raised if the explorer makes a map from a sigma and an alpha that are no map.  The
     entry also has this sigma and alpha, if the exception has them, and the line of the explorer

@@ -86,7 +86,7 @@ def _in_short(report: CheckReport) -> list[tuple[str, str]]:
 
 
 def _rows(report: CheckReport) -> parts.CsvRows:
-    """The rows of the CSV file: one for each pair of a number of edges and a number of vertices.
+    """The rows of the CSV file: one for each pair of numbers of edges and vertices.
 
     The CSV file of a sample has these rows, too, but the table of a sample (:func:`size_table`) has
     one row for each number of edges.

@@ -83,7 +83,7 @@ def _scope(extent: Extent) -> str:
 
 
 def _drawn(dominates: Pairs, names: Sequence[str]) -> Iterator[str]:
-    """Yield the lines of a text that shows the order of sensors: a sensor that tells less is lower.
+    """Yield the lines of a text in which a sensor that tells less stands lower.
 
     Sensors that tell the same worlds apart share a line, joined by ``=``.  Below this line, farther
     to the right, stand the sensors that tell less.  A sensor may stand below several others.  A
@@ -118,7 +118,7 @@ def _drawn(dominates: Pairs, names: Sequence[str]) -> Iterator[str]:
 
 
 def _less_at_a_step(found: AmbiguitySensors) -> Iterator[str]:
-    """Yield a sentence for each sensor that senses less in one step, but tells as much after many.
+    """Yield a sentence for each sensor that senses less at once, but in the end tells as much.
 
     Sensor A senses less than sensor B if, at each dart, the percept of A follows from that of B,
     while the percept of B does not always follow from that of A.  A tells as much as B if all

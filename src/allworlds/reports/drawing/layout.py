@@ -27,8 +27,9 @@ from allworlds.reports.parts import Scene, View
 
 
 def points_of(way: Sequence[complex]) -> list[complex]:
-    """Points on the curve of an edge: its ends, and the ends and the middle of each parabola.
+    """Points on the curve of an edge, which show how far the curve reaches.
 
+    The points are the two ends of the curve, and the ends and the middle of each of its parabolas.
     ``way`` holds the control points of the edge; :class:`Layout` tells which parabolas they make.
     """
     points = [way[0], (way[0] + way[1]) / 2]
@@ -38,11 +39,13 @@ def points_of(way: Sequence[complex]) -> list[complex]:
 
 
 def bridges_of(way: Sequence[complex]) -> list[tuple[complex, complex]]:
-    """The two ends of the straight part of an edge at each of its crossings with other edges.
+    """The straight parts of an edge, one at each crossing with another edge; each as its two ends.
 
-    ``way`` holds the control points of the edge, as in :class:`Layout`.  If the edge has crossings,
-    the control points with the indices 5, 10, 15 and so on are the crossings, except the last
-    control point, which is an end of the edge.
+    ``way`` holds the control points of the edge, as in :class:`Layout`.  In an edge with crossings,
+    every fifth control point is a crossing, except the last one: those with the indices 5, 10, 15
+    and so on.  The crossing, the control point before it and the one after it are on one straight
+    line (see :func:`straightened`).  So the edge is straight between two points: the middle between
+    the point before and the crossing, and the middle between the crossing and the point after.
     """
     # Every fifth point between the ends of the edge is where it crosses another one.
     if len(way) % 5 != 1:
@@ -70,16 +73,18 @@ distance from the vertex to a point in ``round_it``."""
 
 
 def straightened(centre: complex, round_it: Sequence[complex]) -> list[complex]:
-    """For each of the four rays of a crossing, the point towards which the ray leaves the crossing.
+    """For each of the four rays of a crossing, a point towards which the ray is to leave.
 
     Two edges cross; the rays are the two directions in which each edge leaves the crossing.  The
-    two rays of an edge become opposite, so that the edge is straight at the crossing.  The angle
-    between the edges becomes at least :data:`SQUAREST`.
+    new directions of the two rays of an edge are opposite, so that the edge is straight at the
+    crossing.  The new angle between the edges is at least :data:`SQUAREST`, which is near a right
+    angle.
 
     Args:
         centre: the crossing.
-        round_it: a point on each of the four rays as they were drawn so far, clockwise; the first
-            and the third belong to one edge.  The result has the rays in the same order.
+        round_it: for each of the four rays, clockwise, a point in its old direction; the first and
+            the third ray belong to one edge.  The result has the rays in the same order, and its
+            points at one distance from the crossing.
     """
     rays = [point - centre for point in round_it]
     first, second = (_line(rays[k], rays[k + 2]) for k in (0, 1))
@@ -139,13 +144,18 @@ two numbers; and how far a number may be moved from its vertex to keep this dist
 class Layout(Struct, frozen=True):
     """A drawing in pixels; y grows downwards.
 
+    An edge is drawn as a curve through some of its *control points*, or near them.  Straight
+    helping lines, which are not drawn, join successive control points.  The edge begins with the
+    first half of the first helping line, and ends with the last half of the last one.  Between
+    these two pieces, a parabola leads from the middle of each helping line to the middle of the
+    next one, and touches both.  If there are only two control points, the edge is the straight line
+    between them.
+
     Attributes:
         vertices: the centre of each vertex.
         ways: for each dart the control points of its edge, from the dart's vertex to the other end.
-            Straight lines join successive control points.  From the middle of each line to the
-            middle of the next one the edge is a parabola that touches both lines; the first half of
-            the first line, and the last half of the last line, belong to the edge.  An edge of a
-            lattice on a torus may be cut in two: then each of its darts has only its own half.
+            An edge of a lattice on a torus may be cut in two halves; then a dart has only the
+            control points of its own half, from its vertex to the cut.
         letters: for each dart of a cut edge the letter that stands at the cut, the same for both.
     """
 
@@ -162,7 +172,10 @@ class Layout(Struct, frozen=True):
         return [*whole, self.ways[other][::-1]] if dart in self.letters else whole
 
     def stub(self, dart: Dart) -> complex:
-        """The point where the straight beginning of the dart ends."""
+        """The point up to which the edge of the dart is straight, seen from the dart's vertex.
+
+        It is the middle between the first two control points of the edge, see :class:`Layout`.
+        """
         start, towards, *_ = self.ways[dart]
         return (start + towards) / 2
 
@@ -200,10 +213,14 @@ def rim(here: complex, others: Iterable[complex], wide: float) -> float:
 def layout(map_: CombinatorialMap, root: Dart) -> Layout:
     """The drawing of a map of any genus, with the root's vertex to the left.
 
-    The drawing does not depend on the numbers of the darts.  Lattices, also on a torus, paths,
-    stars, rings and wheels have regular drawings.  The edges of a planar map do not cross; any
-    other map has the drawing with the fewest crossings that was found.  Only a large map is drawn
-    round a circle; there edges cross needlessly and may run under a vertex.
+    Lattices, also on a torus, paths, stars, rings and wheels have regular drawings, whatever their
+    size.  Any other map is drawn on a planar mesh: a planar map without crossings, a map of higher
+    genus with the fewest crossings that were found.  But if such a drawing would have more than
+    :data:`MOST_DARTS` darts, those of crossings included, the vertices are put on a circle; then
+    even the edges of a planar map may cross, and edges may run under a vertex.
+
+    With the same root, but other numbers of the darts, a map has the same drawing, perhaps turned,
+    unless the vertices are on a circle.
     """
     if ways := wheel(map_):
         return _finished(map_, root, ways)
@@ -221,10 +238,11 @@ def layout(map_: CombinatorialMap, root: Dart) -> Layout:
 
 @lru_cache(maxsize=256)
 def _ways(map_: CombinatorialMap) -> list[list[complex]]:
-    """For each dart the control points of its edge in a planar drawing with vertices at crossings.
+    """For each dart the control points of its edge, in a planar drawing.
 
-    The result is empty if this drawing has more than :data:`MOST_DARTS` darts.  Darts at bends, the
-    vertices of degree 2 that :func:`planar` puts into loops, do not count.
+    In this drawing each crossing is an added vertex with four added darts.  The result is empty if
+    the drawing has more than :data:`MOST_DARTS` darts.  The darts of bends are not counted; a bend
+    is a vertex of degree 2 that :func:`planar` puts into a loop.
     """
     drawn = planar(map_)
     if drawn.unbent > MOST_DARTS:
@@ -351,8 +369,14 @@ def named_like(first: View, other: View, agreement: int) -> View:
 def _ties(first: View, other: View, agreement: int) -> dict[Dart, Dart]:
     """For darts of the view ``other`` the darts of the view ``first`` that correspond to them.
 
-    If one map is the mirror image of the other, all darts correspond.  Else the robot's vertices at
-    the first ``agreement`` steps correspond, dart by dart; :func:`extended` finds further darts.
+    First: if the two maps are mirror images of each other, and not the same map, all darts
+    correspond by the reflection.  Second: in every other case, also if the maps are the same, the
+    two walks are compared.  As long as they agree, the robot's dart in one map corresponds to its
+    dart in the other, and the further darts of the two vertices correspond clockwise from there;
+    :func:`extended` finds further darts.
+
+    ``agreement`` is the number of darts at the beginning of each view's trail before the walks
+    diverge.
     """
     world, answer = first.scene.map, other.scene.map
     ties: dict[Dart, Dart] = {}
@@ -367,9 +391,10 @@ def extended(
 ) -> dict[Dart, Dart]:
     """The pairs of darts in ``tied``, and the pairs that follow from them by sigma and alpha.
 
-    The other ends of two paired darts are paired, and with them all darts of their two vertices,
-    clockwise.  The two vertices stay unpaired if their degrees differ, or if one of their darts is
-    in another pair already.
+    Let two darts be a pair, and let a and b be their other ends.  If the vertices of a and b have
+    equal degrees, and none of their darts is in a pair, then a and b become a pair, and clockwise
+    from a and b the other darts of the two vertices become pairs, too.  Otherwise no pair follows
+    from the first one.
 
     Args:
         tied: the pairs of darts to begin with.  They pair whole vertices: for each vertex with a
@@ -421,7 +446,8 @@ def vertex_names_like(ties: Mapping[Dart, Dart], map_: CombinatorialMap, other: 
 def mirror_of(map_: CombinatorialMap, other: CombinatorialMap) -> dict[Dart, Dart]:
     """The partner of each dart in the map ``other``, if ``other`` is the mirror image of the map.
 
-    The result is empty if ``other`` is no mirror image, or if the two maps are also isomorphic.
+    The result is empty if ``other`` is no mirror image.  It is also empty if the two maps are the
+    same map: then their darts correspond without a reflection, and :func:`_ties` finds how.
     """
     if isomorphism(map_, other):
         return {}

@@ -18,15 +18,17 @@ TRIES = 12
 
 
 class PlanarMap(Struct, frozen=True):
-    """A planar map that is the drawing of another map, with vertices at crossings and bends.
+    """The drawing of a map, as a planar map with added vertices at crossings and bends.
 
     Attributes:
-        sigma, alpha: the permutations.  The darts of the drawn map come first, with their numbers;
-            round their vertices sigma is that of the drawn map.  Then come four darts for each
-            crossing, clockwise, so that opposite darts differ by 2; then two darts for each bend.
-            Bends make loops without crossings rounder.
-        own: the number of darts of the drawn map.
-        unbent: the number of darts that are not at bends.
+        sigma, alpha: the permutations of the darts of the drawing.  The darts of the map have the
+            first numbers, the same as in the map, and sigma takes them as in the map.  The next
+            numbers are those of the crossings: each crossing has four darts with successive
+            numbers, clockwise, so opposite darts differ by 2.  The last numbers are those of the
+            bends, with two darts each.  Only loops without crossings have bends, so that they are
+            drawn rounder.
+        own: the number of darts of the map.
+        unbent: the number of darts of the map and of the crossings together.
     """
 
     sigma: tuple[Dart, ...]
@@ -112,10 +114,12 @@ class _Plane:
         self.next = len(map_.sigma)
 
     def route(self, a: Dart, b: Dart) -> list[Dart]:
-        """The darts that a shortest way from dart a's corner to dart b's corner crosses.
+        """The darts that a new edge from dart a to dart b must cross, on a shortest way.
 
-        The corner of a dart is the gap between drawn darts of its vertex into which the dart will
-        be drawn.  The way crosses each of the returned darts from left to right.
+        The dart a will be drawn between two drawn darts of its vertex; there the way begins.  In
+        the same way it ends at b.  If the way crosses an edge, the result has one of its two darts:
+        the one that has the way before the crossing to its left, and the way after the crossing to
+        its right.
         """
         face_of, darts = self._faces()
         goal = self._face_at(b, face_of)
@@ -212,15 +216,21 @@ RING = 0.05
 class Mesh(Struct, frozen=True):
     """The triangulation of a planar drawing.
 
-    The points are numbered, and come in seven groups.  Each of the first four groups has a point
-    for each dart: on the dart; just clockwise of the dart at its vertex; just anticlockwise of it;
-    and to the left of the dart's edge.  The other groups are: a point for each vertex, in the order
-    of sigma's cycles; a point for each face but the outer one; and the ring round the drawing.
+    The points of the mesh are numbered.  They come in seven groups, in this order:
+
+    - for each dart a point on the dart;
+    - for each dart a point just clockwise of the dart, at its vertex;
+    - for each dart a point just anticlockwise of the dart, at its vertex;
+    - for each dart a point to the left of the dart's edge;
+    - for each vertex a point, in the order of sigma's cycles;
+    - for each face but the outer one a point;
+    - the points of the ring round the drawing.
 
     Attributes:
         links: the neighbours of each point inside the ring, clockwise.
-        rooms: for each point inside the ring and each of its neighbours: twice the wanted area of
-            the triangle of the point, this neighbour and the neighbour before it.
+        rooms: for each point inside the ring a list with a number for each of its neighbours.  The
+            point, this neighbour and the neighbour before it are the corners of a triangle; the
+            number is twice the area that the triangle should have.
         first_vertex: the number of the first vertex's point.
         ring: the numbers of the points of the ring, clockwise.
     """
@@ -280,8 +290,12 @@ def coordinates(net: Mesh) -> list[complex]:
     The coordinate y grows downwards, so clockwise is the sense of growing angles.  The unit is
     about the side of a triangle.
 
-    Cost: linear in the points for each sweep.  Sweeps are made until no triangle is turned over, at
-    most :data:`MOST_SWEEPS`; then :data:`SWEEPS` more.
+    A sweep moves every point inside the ring once.  First, sweeps put each point in the middle of
+    its neighbours, until no triangle is turned over; they stop after :data:`MOST_SWEEPS` in any
+    case, but far fewer are needed.  Then :data:`SWEEPS` sweeps bring the triangles nearer to their
+    wanted areas and to equal sides, see :func:`_move`.
+
+    Cost: linear in the points for each sweep.
     """
     links, count = net.links, len(net.ring)
     radius = 0.6 * len(links) ** 0.5 + 2
@@ -316,11 +330,13 @@ def _move(i: int, net: Mesh, points: list[complex]) -> None:
 
 
 def _strain(centre: complex, i: int, net: Mesh, points: Sequence[complex]) -> tuple[float, complex]:
-    """The strain of the triangles around point i if it is at ``centre``, and a step of this point.
+    """The strain of the triangles around point i, if it is at ``centre``; and a step of point i.
 
-    The step should lower the strain.  The strain of a triangle is S/A + R/A + A/R, where A/2 is its
-    area, S the sum of the squares of its sides, and R/2 the wanted area; the strain is infinite for
-    a triangle that is turned over.
+    The step, a complex number, has a direction in which the strain falls, but it may be too long.
+    The strain is the sum of the strains of the triangles.  For one triangle, let A be twice its
+    area, R twice the area that it should have, and S the sum of the squares of its sides.  Its
+    strain is S/A + R/A + A/R; for a triangle with a point of the ring it is :data:`RING` / A.  If a
+    triangle is turned over, or flat, the strain is infinite, and the step is 0.
     """
     link, ring = net.links[i], net.ring.start
     strain, slope, bend = 0.0, 0j, 0.0

@@ -84,12 +84,16 @@ def _angles(
 ) -> Iterator[tuple[Dart, float]]:
     """Yield the darts of a vertex, each with the angle at which the dart leaves the vertex.
 
-    Nothing is yielded if the angles are in another order than the darts of the map.  Parallel edges
-    leave side by side, and loops next to the edge before them.
+    A dart leaves towards the position of the vertex at its other end.  Parallel edges to the same
+    vertex leave side by side.  A loop leaves next to the dart before it, clockwise, that is no
+    loop.
+
+    Nothing is yielded if the positions contradict the map: if the other vertices stand round this
+    vertex in another order than ``around`` has them.
 
     Args:
-        map_: a map with at least two vertices.
-        around: the darts of the vertex, clockwise; this is the order of ascending angles.
+        map_: a map with at least two vertices, so that each vertex has a dart that is no loop.
+        around: the darts of the vertex, clockwise as in the map; clockwise, angles grow.
         centres: the positions of all vertices.
     """
     owner, alpha = map_.vertex_of, map_.alpha

@@ -43,19 +43,21 @@ def wheel(map_: CombinatorialMap) -> Ways:
 
 
 def lattice(map_: CombinatorialMap, root: Dart) -> tuple[Ways, dict[Dart, str]]:
-    """The upright drawing of a lattice, in the plane or on a torus; empty for other maps.
+    """The drawing of a lattice, in the plane or on a torus, with level and upright edges only.
 
-    Each dart has one of four directions.  The two darts of an edge have opposite directions.  Two
-    neighbouring darts of a vertex are a quarter turn apart if the face between them is a square, or
-    if the vertex has four darts.  If a vertex has two darts, and these rules give a direction to
-    only one of them, the other dart gets the opposite direction.  So paths are drawn, too, and some
-    lattices with holes.
+    The first result holds the control points, the second one the letters at cut edges.  Both are
+    empty if the map cannot be drawn so.
 
-    A lattice on a torus, where all vertices and faces have degree 4, is drawn in rows, and the
-    edges from one side of the drawing to the other are cut.  Each dart of a cut edge has its own
-    half of the edge, and a letter, which the second part of the result holds.
+    The drawing begins at the dart ``root``, which points to the right.  The directions of other
+    darts follow by these rules.  First: the two darts of an edge have opposite directions.  Second:
+    two neighbouring darts of a vertex are a quarter turn apart if the face between them is a
+    square, or if the vertex has four darts.  Third: if a vertex has two darts, and the first two
+    rules give a direction to only one of them, the other dart gets the opposite direction.  By the
+    third rule, paths are drawn, too, and some lattices with holes.
 
-    ``root`` is the dart at which the drawing begins; in the drawing it points to the right.
+    A lattice on a torus, where all vertices and faces have degree 4, is drawn in rows.  The edges
+    that would lead from one side of the drawing to the opposite side are cut.  Each dart of a cut
+    edge has its own half of the edge, and a letter, the same as the other dart.
 
     Cost: O(m log m).
     """

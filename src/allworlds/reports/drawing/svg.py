@@ -39,9 +39,12 @@ _INLINE = frozenset(
 def tag(name: str, /, *children: Child, **attributes: str | float | None) -> ET.Element:
     """An element with its children.
 
-    An attribute's name is written with ``_`` for ``-`` and may end in ``_``; an attribute that is
-    None is left out.  A newline follows the element, unless the element stands inside a line of
-    text.
+    Each keyword argument is an attribute of the element.  An attribute that is None is left out.  A
+    ``_`` at the end of the argument's name is dropped, so ``class_``, for example, is written for
+    the attribute ``class``, whose name is a keyword of Python.  Any other ``_`` in the name becomes
+    a ``-``.
+
+    A newline follows the element, unless the element stands inside a line of text.
     """
     element = ET.Element(name)
     for key, value in attributes.items():
@@ -198,9 +201,10 @@ def in_words(scene: Scene) -> str:
 def _edge(scene: Scene, drawn: Layout, dart: Dart) -> Iterator[ET.Element]:
     """The elements of the edge to which ``dart`` belongs.
 
-    Before the line of the edge come its bridges: short pieces in the colour of the paper, one for
-    each crossing on this edge.  A bridge makes a gap in the crossing edge if that edge is already
-    drawn.
+    The edges of a map are drawn one after another.  At each crossing, the edge that is drawn later
+    goes over the earlier one: before its own line, a bridge is drawn, a short piece in the colour
+    of the paper, which makes a gap in the line of the earlier edge.  Each edge has a bridge at each
+    of its crossings, though the bridge covers nothing if the other edge is not drawn yet.
     """
     other = scene.map.alpha[dart]
     walked = dart in scene.walked or other in scene.walked
@@ -307,9 +311,10 @@ def _number(scene: Scene, dart: Dart, point: complex) -> ET.Element:
 
 
 def _width(scene: Scene, dart: Dart) -> float:
-    """The width in pixels of the text at a dart: name, and label and marks if there are any.
+    """The width in pixels of the text at a dart: its name, and its letter and marks if it has them.
 
-    The marks are the number that ``scene.letters`` has for the dart.
+    The letter is the text in ``scene.labels``.  The marks are the number in ``scene.letters``,
+    which is there if the number of marks that the robot senses depends on the dart of arrival.
     """
     letters = "" if scene.labels is None else scene.labels[dart]
     marks = f"●{scene.letters[dart]}" if dart in scene.letters else ""
@@ -378,10 +383,11 @@ class Drawing(Struct, frozen=True):
 
 
 def draw(shown: CombinatorialMap | World) -> Drawing:
-    """A picture of a map or a world, the same every time.
+    """A picture of a map or a world; for equal maps or worlds it is the same each time.
 
     Args:
-        shown: the map, or the world, whose lighthouse and start are drawn, too.
+        shown: the map or the world.  In the picture of a world, its lighthouse and its start are
+            drawn, too.
 
     Raises:
         InputError: if ``shown`` is neither a map nor a world.
