@@ -300,11 +300,11 @@ def entry_named(
 def graph_in(
     file: str | Path, order: Order | None = None, y: YAxis | None = None
 ) -> tuple[Any, Labelling]:
-    """The graph in a file, as networkx has it; and its labels: its name, and the nodes' names.
+    """The graph in a file, as networkx has it, and the labels of the graph.
 
-    The names of the nodes are in the order of the graph's nodes.  In GraphML, GML and graph6 the
-    nodes are texts, and are their own names; in other notations the nodes are numbers, and the
-    names may be missing.
+    The labels hold the graph's name, and the names of the nodes in the order of the graph's nodes.
+    In GraphML, GML and graph6 the nodes are texts, and are their own names; in other notations the
+    nodes are numbers, and the names may be missing.
 
     ``order`` and ``y`` are the options of :func:`entries`.  An option that is illegal for the file
     is refused, as in that function; a legal one changes nothing, since the result has no order of

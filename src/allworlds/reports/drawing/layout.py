@@ -39,7 +39,7 @@ def points_of(way: Sequence[complex]) -> list[complex]:
 
 
 def bridges_of(way: Sequence[complex]) -> list[tuple[complex, complex]]:
-    """The straight parts of an edge, one at each crossing with another edge; each as its two ends.
+    """The two ends of each straight part of an edge; such a part is at each of its crossings.
 
     ``way`` holds the control points of the edge, as in :class:`Layout`.  In an edge with crossings,
     every fifth control point is a crossing, except the last one: those with the indices 5, 10, 15

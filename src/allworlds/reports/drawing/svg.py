@@ -311,7 +311,7 @@ def _number(scene: Scene, dart: Dart, point: complex) -> ET.Element:
 
 
 def _width(scene: Scene, dart: Dart) -> float:
-    """The width in pixels of the text at a dart: its name, and its letter and marks if it has them.
+    """The width in pixels of the text at a dart: its name, and its letter and marks if any.
 
     The letter is the text in ``scene.labels``.  The marks are the number in ``scene.letters``,
     which is there if the number of marks that the robot senses depends on the dart of arrival.
