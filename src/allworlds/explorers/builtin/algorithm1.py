@@ -3,9 +3,9 @@
 Each group of lines of the paper's Algorithm 1 is a function.  The docstrings keep the paper's
 names: S and U are the explored part and its open darts; e is the dart of U that is explored now,
 v_k its known end and v_u its unknown end; H holds the hypotheses, e' is one of them, at the vertex
-v_k'; M are the motions of a test, P the percepts that the test expects.  A dart *of entry* is the
-dart by which the robot has arrived.  In variants without a direction a test ends with a *query* at
-v0: the robot goes out by one dart and straight back, to learn by which dart it had come to v0.
+v_k'; M are the motions of a test, P the percepts that the test expects.  In variants without a
+direction a test ends with a *query* at v0: the robot goes out by one dart and straight back, to
+learn by which dart it had come to v0.
 
 Each decision that the paper leaves open is a choice.  A policy gets the options of the choice, and
 for each option a *cost*, a walking distance: the policy ``nearest`` takes the dart with the
@@ -16,18 +16,18 @@ their numbers.  The choices:
     The dart that leaves U (line 3).  Options: U in the order of S; cost: the length of the shortest
     walk in S from the robot's vertex to the dart's vertex.
 ``transit``
-    The simple path in S to v_k (line 4), one dart at a time.
+    The next dart of the simple path in S to v_k (line 4).  Options and costs: see below.
 ``hypothesis``
     The hypothesis that leaves H (line 8).  Options: H in the order of S; cost: the length of
     the shortest path from the hypothesis to v0.
 ``path``
-    The simple path in S from v_k' to v0 (line 9), one dart at a time.
+    The next dart of the simple path in S from v_k' to v0 (line 9).  Options and costs: see below.
 
-The options of ``transit`` and ``path`` are the darts from which the robot can still reach the goal
-without entering a vertex twice.  The options are sorted by the length of the shortest such way that
-begins with the dart; options with equal lengths are in the order of S.  The cost of an option is
-this length.  So each simple path is one sequence of choices; if the first option is always taken,
-the path is a shortest one.
+A simple path enters no vertex twice.  For ``transit`` and ``path`` an option is a dart from which
+the path can still go on to its goal; the cost of the option is the length of the shortest such way,
+which begins with this dart.  The options are sorted by their costs; options with equal costs are in
+the order of S.  So each simple path is one sequence of choices; if the first option is always
+taken, the path is a shortest one.
 """
 
 from collections.abc import Callable, Generator, Iterator, Sequence
@@ -82,17 +82,21 @@ class PartialMap:
         return first + (dart - first + offset) % self.expected[dart].degree
 
     def add_vertex(self, dart: int, percept: Percept) -> int:
-        """Lines 20-21: add a vertex behind ``dart``; return the first dart of the new vertex.
+        """Lines 20-21: add a vertex at the unknown end of ``dart``; return its first dart.
 
-        ``percept`` is the robot's percept there.  ``dart`` leaves U, and all darts of the new
-        vertex but the first one join U.
+        ``percept`` is the robot's percept at the new vertex.  ``dart`` and the first dart of the
+        new vertex become one edge.  ``dart`` leaves U, and the other darts of the new vertex join
+        U.
         """
         entry = self._add_vertex(percept)
         self.add_loop(dart, entry)
         return entry
 
     def add_loop(self, dart: int, partner: int) -> None:
-        """Lines 18-19: join ``dart`` and ``partner`` to one edge; both darts leave U."""
+        """Lines 18-19: join ``dart`` and ``partner`` to one edge; both darts leave U.
+
+        Here *loop* means an edge that closes a cycle in S; its ends may be two different vertices.
+        """
         self.alpha[dart], self.alpha[partner] = partner, dart
         self.unexplored.remove(dart)
         self.unexplored.remove(partner)
@@ -200,18 +204,22 @@ def simple_path(
 def _next_darts(
     s: PartialMap, goal: int, visited: list[int], lengths: dict[int, int]
 ) -> tuple[Lazy, Lazy]:
-    """The options for the next dart of a simple path, and for each the length of the way from it.
+    """The options for the next dart of a simple path, and the cost of each option.
 
-    The way from a dart leads to the vertex ``goal``, and does not enter the path so far.  If the
-    path so far is a part of a shortest path, the first option is known without the others: the
-    first dart, clockwise, that leads nearer to the goal.  The others are then computed only when a
-    policy reads them.
+    The options are the darts from which the path can go on to the vertex ``goal`` and enter no
+    vertex of ``visited`` again.  The cost of a dart is the length of the shortest such way, which
+    begins with the dart's own edge.
+
+    Let the path so far be a part of a shortest path to ``goal``.  Then the first option is the
+    first dart, clockwise, that leads nearer to ``goal``, and ``lengths`` suffices to find it.  The
+    other options are computed only if a policy reads them.
 
     Args:
         s: the map S.
         goal: the vertex where the path ends.
-        visited: the vertices of the path so far.
-        lengths: for each vertex of S its distance to ``goal``.
+        visited: the vertices of the path so far; the last one is the vertex that the path leaves
+            next.
+        lengths: for each vertex of S its distance to ``goal`` in the whole of S.
     """
     vertex = visited[-1]
 
@@ -243,13 +251,14 @@ def algorithm1(
 
     Args:
         first: the percept at v0 before any motion; it has a bearing.
-        choices: the object that makes all choices that the docstring of this module lists
-            (default: first in, first out).
-        notice: the function that gets the name of each event.  ``case-1``, ``case-2``, ``case-3``:
-            a test fails before its last motion, fails after its last motion, or succeeds.
-            ``v0-hypothesis``: a hypothesis at v0 is tested, which needs no motion along a path.
-            ``empty-H``: a pass has no hypothesis.  ``loop`` and ``non-loop``: S has grown by an
-            edge alone, or by a vertex.  The function has no influence on the walk.
+        choices: the object that makes all choices that the docstring of this module lists (default:
+            the first option, for ``edge`` the open dart that came into S first).
+        notice: the function that gets the name of each event.  ``case-1``: a test fails before its
+            last motion.  ``case-2``: a test fails after its last motion.  ``case-3``: a test
+            succeeds.  ``v0-hypothesis``: a hypothesis at v0 is tested, so the path to v0 is empty.
+            ``empty-H``: a pass has no hypothesis.  ``loop``: S has grown by an edge between two
+            known vertices, or from a vertex to itself.  ``non-loop``: S has grown by a vertex.  The
+            function has no influence on the walk.
 
     Cost: at most (1) + (2) traversals, by the formulas (1) and (2) of the paper's Section VI.
     Source: Algorithm 1, Section IV.
@@ -263,12 +272,13 @@ class Algorithm1:
     Attributes:
         s: the map S with its open darts U.
         here: the robot's dart in S; only meaningful between two passes.
-        turned: a correction for the next motion.  After a rejected test the robot is back at v_u,
-            and after a query of a variant it is back at v0; there it stands at the dart by which
-            it had left, not at its dart of entry before the test or the query.  ``turned`` is the
-            number of darts, clockwise, from this dart of entry to the robot's dart.  The next
-            motion of the pass counts from the dart of entry, so ``turned`` is subtracted from it;
-            each motion of a test sets ``turned`` to 0.
+        turned: a correction for the next motion.  Motions are planned for a robot that stands at
+            the dart by which it came in.  But the robot sometimes goes out and comes back, and then
+            stands at the dart by which it went out: at v_u after a rejected test, and at v0 after a
+            query (in a variant).  Then ``turned`` is the number of darts, clockwise, from the dart
+            by which the robot came in to the dart where it stands, and a planned motion ``k`` is
+            made by ``Move(k - turned)``.  Otherwise ``turned`` is 0.  It is meaningful from the
+            first test of a pass to the end of the pass.
 
     Args:
         first: the percept at v0 before any motion.
@@ -397,10 +407,13 @@ class Algorithm1:
     def retrace(self, motions: list[int]) -> Stage[None]:
         """Line 15: undo the motions ``k1..kr`` of a rejected test; the robot is then back at v_u.
 
-        The robot undoes them by ``Move(-turned)``, ``Move(-kr)``, ..., ``Move(-k2)``.  The
-        attribute ``turned`` is 0 before, unless a query (in a variant) came last.  Afterwards the
-        robot stands at the dart by which it had left v_u, ``k1`` darts clockwise from its dart of
-        entry there; so ``turned`` is then ``k1``.  If ``motions`` is empty, nothing changes.
+        The robot goes back by ``Move(-turned)``, ``Move(-kr)``, ..., ``Move(-k2)``.  Each of these
+        motions goes back along one edge.  The first one is ``Move(0)``, except after a query (in a
+        variant), which leaves ``turned`` at another value than 0.
+
+        No motion undoes the rotation ``k1``: at v_u the robot stands at the dart by which the test
+        left, ``k1`` darts clockwise from the dart by which the robot had come to v_u.  So the
+        attribute ``turned`` becomes ``k1``.  If ``motions`` is empty, nothing changes.
         """
         back = -self.turned
         for motion in reversed(motions):
@@ -462,10 +475,10 @@ def algorithm1_natural(
     told: int | None = None,
     notice: Callable[[str], None] = nobody,
 ) -> Stage[Estimate]:
-    """Explore from a natural lighthouse: no other vertex has the degree of v0, or that of v1.
+    """Explore from a natural lighthouse: v0 and v1 have two degrees that no other vertex has.
 
-    ``told`` is the degree of v1, which the explorer learns before the start.  The other arguments,
-    the choices and the events are those of :func:`algorithm1`.
+    ``told`` is the degree of v1, which the explorer learns before the start; it is not the degree
+    of v0.  The other arguments, the choices and the events are those of :func:`algorithm1`.
 
     Cost: the same as that of :func:`algorithm1_cluster`.
     """

@@ -2,20 +2,22 @@
 
 The second is that of Dudek, Jenkin, Milios, Wilkes 1991: the marker has no direction, and the
 worlds are simple.  Each pass explores one dart.  At the unknown end of the dart the robot drops the
-marker, comes back, and looks for the marker at the vertices of S that this end could be (place
-validation).  If the marker is at none of them, the end is a new vertex.  Otherwise the robot
-carries the marker to the known end of the dart, and tries the open darts at the vertex where the
-marker was until one leads to the marker (back-link validation).
+marker, and comes back.  Then it visits the vertices of S that may be the unknown end, and looks for
+the marker there (place validation).  If the marker is at none of them, the unknown end is a new
+vertex.  Otherwise one of the open darts of the vertex with the marker belongs to the explored edge.
+To find it, the robot carries the marker to the known end of the dart, goes back, and tries these
+open darts until one leads to the marker (back-link validation).
 
 In a simple world the answer is right.  With parallel edges, or two loops at a vertex, back-link
 validation can find a wrong dart.  A better explorer would not help: markers without a direction,
-however many the robot can drop, do not show how two loops at a vertex lie.
+however many the robot can drop, do not show the order in which the four darts of two loops lie
+round a vertex.
 
-The source leaves three points open; this module decides them so.  The dart that the next pass
-explores is a choice (``edge``).  The vertices that the unknown end could be are visited in the
-order of a depth-first walk of a spanning tree of S: in another order the walk could be longer than
-the cost that the docstring of :func:`dudek91` names.  The open darts of the vertex where the marker
-was are tried clockwise from the dart by which the robot arrived there.
+The source leaves three decisions open.  First: the dart that a pass explores is a choice
+(``edge``).  Second: the vertices that may be the unknown end are visited in the order of a
+depth-first walk along a spanning tree of S, so that the cost is at most that in the docstring of
+:func:`dudek91`.  Third: the open darts of the vertex with the marker are tried clockwise, from the
+dart by which the robot has come back there.
 """
 
 from collections.abc import Callable
@@ -91,8 +93,9 @@ def dudek91(
         notice: the function that gets an event in each pass: ``new-vertex`` if the unknown end is a
             new vertex, ``back-link`` if it is a vertex of S.
 
-    Cost: in a simple world at most ``3s`` traversals for a vertex that is found when s vertices are
-    known, and ``5n + 2D - 4`` for every other edge, where D is the largest degree: O(mn).
+    Cost in a simple world: a pass that finds a new vertex costs at most ``3s`` traversals, if s
+    vertices were known before.  Any other pass costs at most ``5n + 2D - 4`` traversals, where D is
+    the largest degree.  The sum is O(mn).
     """
     return (yield from _Dudek(first, choices or Choices(), notice).explore())
 
@@ -103,9 +106,9 @@ class _Dudek:
     Attributes:
         s: the map S with its open darts U.
         here: the robot's dart in S.
-        seen: the percept after the robot's newest motion, at first that at the start; it has a
-            mark if the marker lies at the robot's vertex.  The motions by which :meth:`close`
-            comes back from a wrong dart do not change it.
+        seen: the percept at the start, later the percept after the robot's newest motion; it has a
+            mark if the marker lay at the robot's vertex.  One kind of motion leaves ``seen`` as it
+            is: the way back from a dart by which :meth:`close` has not come to the marker.
         choices, notice: as in :func:`dudek91`.
     """
 
@@ -180,11 +183,12 @@ class _Dudek:
     def close(self, dart: int) -> Stage[None]:
         """Find the other dart of the edge of ``dart`` by back-link validation, and join both darts.
 
-        ``dart`` is the dart that this pass explores.  The robot stands at the vertex where it has
-        found the marker.  It carries the marker to the known end of ``dart`` and goes back.  Then
-        it leaves by one open dart of the vertex after the other, and comes back, until a dart leads
-        to the marker.  This dart is joined to ``dart``.  If none of the open darts leads to the
-        marker, the last one is joined to ``dart``.
+        ``dart`` is the dart that this pass explores.  The robot stands at the other end of its
+        edge, where it has found the marker.  It takes the marker, drops it at the known end of
+        ``dart``, and walks back to the other end.  There it tries the open darts: it leaves by an
+        open dart, and comes back if the marker is not at its end.  The first dart that leads to the
+        marker is joined to ``dart``.  In a simple world one of the open darts must lead to the
+        marker; so the last one is joined to ``dart`` without looking for the marker.
         """
         s = self.s
         vertex = s.vertex[self.here]

@@ -1,13 +1,16 @@
 """An explorer for a robot that starts anywhere: it looks for v0, and starts another explorer there.
 
-A word is a sequence of motions.  The explorer tries all words, shorter ones first, and words of one
-length in lexicographic order.  Before the next word the robot goes back only to the vertex at which
-the two words begin to differ.  The robot knows the way back without a map: at each vertex it tries
-the darts clockwise, and begins with the dart by which it arrived; after the last dart, the next one
-clockwise is again the dart by which it arrived.
+A word is a sequence of motions.  The explorer tries all words of up to 1 motion, then all words of
+up to 2 motions, and so on, until a word leads to v0.  In each of these rounds the words are tried
+in lexicographic order.  Before the next word the robot goes back only to the vertex at which the
+two words begin to differ.  It knows the way back without a map: at each vertex it tries the darts
+clockwise, and begins with the dart by which it arrived.  So after the last dart it leaves by the
+next dart clockwise, and this is again the dart by which it arrived.
 
-Cost of the search: less than 8 D^d traversals, for the distance d to v0 and the largest degree
-D > 1, because all words of up to L motions cost at most T(L) = D (2 + T(L - 1)) < 4 D^L.
+Cost of the search: less than 8 D^d traversals, for the distance d to v0 and the largest degree D,
+at least 2.  Proof: all words of up to L motions cost at most T(L) = D (2 + T(L - 1)), with T(0) =
+0: for each dart the way out, all shorter words behind the dart, and the way back.  So T(L) = 2D +
+2D^2 + ... + 2D^L < 4 D^L, and the sum T(1) + ... + T(d) is less than 8 D^d.
 """
 
 from collections.abc import Callable, Generator
@@ -62,9 +65,10 @@ class FromElsewhere:
             due: the ``k`` by which ``Move(k)`` leaves by the first dart to try.
 
         Returns:
-            If a word leads to v0: the percept at v0, where the robot then is, and 0.  Otherwise
-            None, and the new value of ``due``: the robot is then back at its vertex, and ``Move``
-            with this number again leaves by the first dart to try.
+            If a word leads to v0: the percept at v0, where the robot then is, and a 0 without a
+                meaning.  Otherwise None, and the new ``k`` for the first dart to try: the robot is
+                back at its vertex, but stands at the dart that it tried last.  The first dart to
+                try is the next one clockwise, so ``k`` is 1; it is unchanged if nothing was tried.
         """
         for _ in range(degree if longest else 0):
             seen = yield Move(due)

@@ -46,15 +46,16 @@ class BuiltIn(Struct, frozen=True):
             ``choices`` (default: first in, first out) and ``notice``, a function that gets events
             and has no influence.  It may also take ``told``.
         lighthouse: the explorer's kind of lighthouse, in the form ``KIND[:key=value,...]``.
-        witnesses: the events that must occur in a complete check.  Each event has two entries: one
-            for classes of maps with loops and parallel edges, one for simple classes.  An entry is
-            a pair (m, n), as small as is known: under every policy the event occurs in a check of
-            all worlds with at most m edges and at most n vertices.  If such a check does not see
-            the event, a branch of the algorithm has not been checked.  The entry is None if there
-            is a policy under which the event never occurs.
+        witnesses: the events that must occur in a complete check; if one does not, a branch of the
+            algorithm has not been checked.  Each event has two entries.  The first is for classes
+            of maps with loops and parallel edges, the second for simple classes.  An entry is a
+            pair (m, n): under every policy the event occurs in a check of all worlds with at most m
+            edges and at most n vertices.  It is the smallest pair that is known.  The second entry
+            is None if in simple classes the event never occurs under some policy.
         bound: the name of the bound that the explorer keeps under its kind of lighthouse; None if
             this bound is the default bound of the lighthouse.
-        step_budget: the largest legal number of traversals, if the usual budget is too small.
+        step_budget: the explorer's own step budget, the number of traversals after which a run is
+            cut off; None if the usual step budget is large enough.
         about: a description, for a sentence of the page on the protocol.
     """
 

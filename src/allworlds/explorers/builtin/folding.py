@@ -4,13 +4,15 @@ All percepts of a robot with a directional lighthouse form one map, the folded l
 through an open dart makes a new *node*, a copy of the vertex of arrival.  If an arrival at v0 shows
 that two nodes are one vertex, the nodes are merged: each dart of one node becomes equal to a dart
 of the other.  If two equal darts lead to two nodes, these nodes are one vertex, too, and are merged
-in turn.  When two nodes are merged, one of them remains; the other node, with its darts, only
-stands for the node that remains.  A node that has not been merged into another one, and each dart
-of such a node, is called *canonical*.
+in turn.  When two nodes are merged, one of them remains.  The other node, with its darts, becomes a
+second name of the node that remains.  A node that has not been merged into another one, and each
+dart of such a node, is called *canonical*.
 
-So the folded log is a part of every world that agrees with the log.  A folded log without an open
-dart is the world.  So if an explorer takes its answer from such a folded log, the answer is right,
-whatever the explorer's walk.
+Nodes are merged only if they are one vertex in every world that agrees with the log.  In such a
+world each node is a copy of a vertex; several nodes can be copies of the same vertex.  If no dart
+of the log is open, each vertex has the same number of nodes.  v0 has only one node, so each vertex
+has one, and the log is the world.  An explorer that takes its answer from such a folded log is
+right, whatever its walk.
 
 An explorer by the folded log has a rule that chooses the next open dart.  The exploration ends if
 the rule is fair, that is, if no dart stays open for ever.  Proof: let several nodes be copies of
@@ -31,15 +33,15 @@ In the known part of the log a guest walks without cost, and its percepts are re
 When a guest goes through an open dart, the robot walks to this dart by a shortest way in the log,
 and goes through it, too.
 
-Cost: less than 9 min(X, (1) + (2)) traversals, where X is the number of traversals of the explorer
-until its own log has no open dart, and (1) + (2) is the paper's bound on Algorithm 1.  Proof: in a
-turn with the budget b the robot could walk from v0 along the whole walk of the turn's guest, at
-most b traversals, and before the next turn back to v0, at most b again; the shortest ways that the
-robot takes instead are not longer.  So all turns before the turn with the budget 2^k together cost
-at most 2 (1 + 2 + ... + 2^(k-1)) < 8 * 2^(k-2) traversals.  Let the last open dart of the log
-disappear in the turn with the budget 2^k, when its guest has made x traversals in all.  The same
-guest had the turn with the budget 2^(k-2), which was not enough: so x > 2^(k-2).  In the last turn
-the robot makes at most x traversals: less than 8x + x together.
+Cost: less than 9 min(X, (1) + (2)) traversals, where X is the number of traversals of the user's
+explorer until its own log has no open dart, and (1) + (2) is the paper's bound on Algorithm 1.
+Proof: let a guest need x traversals until its own log has no open dart, and let 2^k be the first
+budget of this guest that is at least x.  The shield ends at the latest in the turn with this
+budget.  In a turn with the budget b the robot could walk from v0 along the guest's whole walk, and
+then back to v0, by at most 2b traversals; it takes shortest ways instead, which are not longer.  So
+all turns before the last one cost at most 2 (1 + 2 + ... + 2^(k-1)) < 2 * 2^k traversals.  The
+guest's earlier budget 2^(k-2) was less than x, so this is less than 8x.  The last turn costs at
+most x traversals, without a way back: together less than 9x.  This holds for both guests.
 """
 
 from bisect import insort
@@ -62,14 +64,15 @@ class FoldedLog:
     """A folded log: nodes that are merged as soon as they must be one vertex.
 
     The darts of a node are consecutive and clockwise.  Node 0 is v0; the marker points to dart 0.
-    Nodes are merged by union-find with offsets.  The docstring of this module says what a
-    *canonical* node or dart is.
+    The docstring of this module says what a *canonical* node or dart is.
 
     Attributes:
         node: for each dart the node with which the dart was made.
         base, degree: for each node its first dart, and its number of darts.
-        stands: for each node the dart with which the node's first dart was merged; for a canonical
-            node the first dart itself.
+        stands: for each node a dart that is equal to the node's first dart.  For a canonical node
+            it is the first dart itself; for another node it is a dart of a node into which this
+            node was merged, which may itself have been merged later.  This is a union-find
+            structure.
         known: for each canonical node its darts with a known other end, ascending; for other nodes
             an empty list.
         merges: the number of nodes that have been merged into other nodes.
@@ -77,8 +80,8 @@ class FoldedLog:
     Args:
         first: the percept at the start.
 
-    Cost: nearly constant for a step; only a node that is merged into another one also passes its
-    known darts on to that node.
+    Cost: nearly constant for a step without a merge.  A merge also passes each known dart of the
+    merged node on to the node that remains.
     """
 
     def __init__(self, first: Percept) -> None:
@@ -103,7 +106,7 @@ class FoldedLog:
         return first
 
     def canonical(self, dart: int) -> int:
-        """The canonical dart that stands for ``dart``; ``dart`` itself if ``dart`` is canonical.
+        """The canonical dart that is equal to ``dart``; ``dart`` itself if it is canonical.
 
         A dart is canonical if its node has not been merged into another node.
         """
@@ -236,10 +239,11 @@ def folding_oldest(
 
 
 def by_home(log: FoldedLog, here: int) -> list[int]:
-    """The darts by which a walk to v0, and then to the open dart nearest to v0, leaves its nodes.
+    """The darts by which a walk to v0, and on to the open dart nearest to v0, leaves its nodes.
 
-    ``here`` is the robot's dart in the log.  The search at v0 tries the darts clockwise from the
-    pointed dart.
+    The last dart of the list is this open dart.  If several open darts are equally near to v0, the
+    darts of v0 are tried clockwise, from the pointed dart.  ``here`` is the robot's dart in the
+    log.
     """
     home = way(log, here, lambda dart: log.node[dart] == 0)
     return [*home[:-1], *way(log, 0, lambda dart: log.beyond(dart) == OPEN)]
@@ -365,14 +369,13 @@ class _Guest:
     """An explorer inside the shield; it walks in the folded log.
 
     Attributes:
-        here: the dart of the log by which the guest has arrived; at first the dart that the robot
-            faces at the start.
+        here: the dart of the log by which the guest has arrived; at first the argument ``here``.
         steps: the number of the guest's traversals.
-        out: whether the guest makes no further motions.
+        out: true as soon as the guest has made its last motion, because it has ended or failed.
 
     Args:
         log: the folded log, which all guests share.
-        here: the value of the attribute at first.
+        here: the dart of the log that the robot faces at the start.
         explorer: the generator function of the explorer; its argument is the first percept.
     """
 
