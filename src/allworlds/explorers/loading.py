@@ -222,7 +222,7 @@ class Subject(Struct, frozen=True, weakref=True):
 
     @property
     def from_user(self) -> bool:
-        """Whether this is a user's explorer, or one with a wrapper.
+        """Whether this is a user's explorer, or any explorer in a wrapper, even a built-in one.
 
         Each run of such an explorer is played twice.
         """
@@ -238,7 +238,11 @@ class Subject(Struct, frozen=True, weakref=True):
 
     @property
     def importable(self) -> bool:
-        """Whether only other processes load the explorer, by its name; ``explore`` is then None."""
+        """Whether only other processes run the explorer, which they load by its name.
+
+        Then ``explore`` is None.  The result is False for a closure, which other processes cannot
+        load, and for an explorer that this process has loaded to run it.
+        """
         return self.explore is None
 
     @property
@@ -354,14 +358,15 @@ def _is_found_by_name(explore: Any) -> bool:
 
 
 def keywords_of(name: str, explore: Any) -> frozenset[str]:
-    """The keywords among ``choices`` and ``told`` that an explorer takes.
+    """The keywords among ``choices`` and ``told`` that a user's explorer takes.
 
-    Python itself recognises a generator function.  Any other callable is called once with a
-    percept, and its result must have ``send``, as a generator has.  ``name`` is the explorer's name
-    in errors.
+    A generator function is not called, because Python's module ``inspect`` recognises it.  Any
+    other callable is called once with a percept, and its result must have the method ``send``, as a
+    generator has.  ``name`` is the explorer's name in errors.
 
     Raises:
-        InputError: if ``explore`` is no explorer, or must be called in another way.
+        InputError: if ``explore`` is no explorer, or if it cannot be called with one percept and
+            these keywords.
     """
     function = explore if inspect.isroutine(explore) else getattr(explore, "__call__", None)  # noqa: B004
     if not callable(explore):

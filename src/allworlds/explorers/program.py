@@ -213,8 +213,10 @@ class Program:
         answer_timeout: the seconds of silence after which the process is killed.
 
     Attributes:
-        stays: whether the process is kept alive if an episode is broken off while the process waits
-            for a percept; else it is killed then.
+        stays: whether the process may outlive an episode that is broken off.  If ``stays`` is true
+            and the process waits for a percept at that moment, it is kept alive for the next
+            episode.  In any other case it is killed.  ``stays`` is False at first; a player that
+            asks for single turns sets it to True.
 
     Raises:
         InputError: if the command is empty, or its program is not found or cannot be run.

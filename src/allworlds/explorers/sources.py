@@ -304,14 +304,16 @@ program."""
 
 
 def content_digest(subject: Subject) -> str:
-    """The digest of an explorer: SHA-256, in hexadecimal, of its text, or of its files' digests.
+    """The digest of an explorer's files; it shows whether two processes have the same explorer.
 
-    For a built-in explorer the result is :data:`OURS`.
+    The result is SHA-256, in hexadecimal.  If the subject has the text of its file (``source``), it
+    is the digest of this text.  Otherwise the digests of the explorer's files, one after the other,
+    form a text, and the result is the digest of this text.  If the explorer runs by a command, its
+    files are the command's program and the files that the command names.  For a module only its own
+    file counts, not the modules that it imports.
 
-    If the explorer runs by a command, its files are the command's program and the files that the
-    command names.  An explorer in a wrapper has the digest of the explorer inside, because the
-    wrapper changes only with the version of allworlds.  For a module only its own file counts, not
-    the modules that it imports.
+    For a built-in explorer the result is :data:`OURS`.  An explorer in a wrapper has the digest of
+    the explorer inside: the wrapper is a part of allworlds, as a built-in explorer is.
 
     Raises:
         InputError: if the explorer exists only in this process, or its file cannot be found.
@@ -337,8 +339,9 @@ def content_digest(subject: Subject) -> str:
 def with_content(subject: Subject) -> Subject:
     """The subject with the text of its file (``source``), for other machines.
 
-    If the explorer is not one Python file, the subject is returned unchanged.  For a module inside
-    a package the text would not be enough: the other machine needs the package.
+    The subject is returned unchanged if it has the text already, or if the text would not be
+    enough: if the explorer is not one Python file, or if its module belongs to a package.  Then the
+    other machine must have all that the explorer needs.
     """
     name = innermost(subject.name)
     where = name.partition("?")[0].rpartition(":")[0]

@@ -100,10 +100,12 @@ def leave_interrupts_to_owner() -> None:
 
 
 def let_users_interrupt(error: BaseException) -> None:
-    """Raise ``error`` again if no caller may ignore it.
+    """Raise ``error`` again if it must not be ignored.
 
-    No caller may ignore the refusal of a nested check, the end of a job's time, or an interrupt by
-    the user.  If this process leaves interrupts to its owner, a KeyboardInterrupt may be ignored.
+    Code that ignores errors of users' code calls this function first.  Two errors are always raised
+    again: NestedCheck and OutOfTime.  A KeyboardInterrupt is raised again, too, because it comes
+    from the user who interrupts the job.  But in a process that leaves interrupts to its owner it
+    can only come from users' code (see :func:`leave_interrupts_to_owner`), and is not raised again.
     """
     interrupt = isinstance(error, KeyboardInterrupt) and not _Interrupts.of_owner
     if interrupt or isinstance(error, NestedCheck | OutOfTime):
@@ -307,7 +309,8 @@ def ensure_installed(package: str, extra: str, what: str) -> None:
         what: the words for the use of the package, such as an option.
 
     Raises:
-        NotInstalled: with all three.
+        NotInstalled: if the package is missing; the message contains ``what``, ``package`` and
+            ``extra``.
     """
     if lack := lack_of(package, extra):
         raise NotInstalled(f"{what} {lack}")
@@ -411,11 +414,11 @@ ENDINGS = {name: getattr(os, name) for name in ("_exit", "execv", "execve")}
 
 
 class _Kept:
-    """The holder of ``process``: the id of the process that refuses functions which would end it.
+    """The holder of ``process``, the id of the process whose exit code users' code cannot set.
 
     In the process with this id the functions in :data:`ENDINGS`, such as ``os._exit``, raise
-    SystemExit.  In a forked process, which has another id, these functions do what they always do.
-    The id is 0 if no process refuses these functions.
+    SystemExit instead of ending the process.  In a forked process, which has another id, these
+    functions do what they always do.  If there is no such process, the id is 0.
     """
 
     process = 0

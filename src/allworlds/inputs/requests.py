@@ -46,12 +46,11 @@ PANELS = (SCOPE, RULES, EFFORT, OUTPUT)
 
 
 class Rare(str):
-    """A panel's name that marks an option as rarely needed, if it is the option's ``panel``.
+    """The name of a panel, as the attribute ``panel`` of an option that is rarely needed.
 
-    A panel of the help can hold both kinds of options: those with the panel's name as a plain text,
-    and those with an object of this class.  If a verb has many options, ``--help`` leaves out those
-    that are rarely needed, and ``--help-all`` shows all options.  Other verbs show all options by
-    ``--help``.
+    The other options of the same panel have the name as a plain text.  If a verb has many options,
+    ``--help`` leaves out those that are rarely needed, and ``--help-all`` shows all options.  If a
+    verb has few options, ``--help`` shows them all.
     """
 
     __slots__ = ()
@@ -168,11 +167,12 @@ class Request:
 
     @property
     def in_effect(self) -> dict[str, Any]:
-        """The values that the scope of a report shows besides the options, by their keys there.
+        """Values that the scope of a report shows in addition to the values of the options.
 
-        Such a value is the digest of a given file.  If an option has the same key, the scope shows
-        this value in place of the option's: the shard as a text, for example.  By default there are
-        no such values; a subclass adds its own.
+        The result holds each value by its key in the scope: for example the digests of given files
+        by the key ``sha256``, and the shard, as a text, by the key ``shard``.  If an option has one
+        of these keys, the scope shows the value of this result.  By default there are no such
+        values; a subclass adds its own.
         """
         return {}
 
@@ -255,10 +255,10 @@ def takes_fields(
         request: the class of the request.
         several: the name of a field whose values the function takes as any number of positional
             arguments; empty if there is no such field.
-        answered: the function that takes an object of the class ``request``, and returns the same
-            answer as the decorated function; :func:`answer` calls it.  It may be left out only if
-            the decorated function has been made by the decorator of :func:`answers`, which itself
-            decorated a function of this kind: then ``answer`` calls that one.
+        answered: a function that returns the same answer as the decorated function, but takes an
+            object of the class ``request``; :func:`answer` calls it.  None is legal only if the
+            decorated function is itself a wrapper (by ``functools.wraps``) round such a function,
+            as in :func:`answers`: then ``answer`` calls the function inside the wrapper.
     """
 
     def made(function: Callable[P, Answer]) -> Callable[P, Answer]:
@@ -304,12 +304,16 @@ def ensure_takes(
 
 
 def answer(function: Callable[..., Answer], request: object) -> Answer:
-    """The answer to a request by a function that takes the request's fields as keywords.
+    """The answer of a verb to a request that is given as one object.
+
+    A verb takes the fields of its request as keywords, but there is always another function that
+    takes the request itself.  That function is called.  The verb is not called, so its checks of
+    the keywords are left out.
 
     Args:
-        function: a function made by :func:`takes_fields` or :func:`answers`, such as a verb.
-            Behind it stands a function that takes the request as one object (the argument
-            ``answered`` of ``takes_fields``); only this one is called.
+        function: a function made by :func:`takes_fields` or :func:`answers`, such as a verb.  The
+            other function is the argument ``answered`` of ``takes_fields``, or the function that
+            ``answers`` decorated.
         request: the request.
     """
     answered: Answer = inspect.unwrap(function)(request)

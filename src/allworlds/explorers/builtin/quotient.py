@@ -28,10 +28,11 @@ class TreeDart(NamedTuple):
     """A dart in the tree of all walks from the start; see :class:`Experiments`.
 
     Attributes:
-        node: the node of the dart, as the motions by which the robot walks along the tree from the
-            start to this node: each motion is the ``turn`` of the dart by which the robot leaves.
-        turn: the number of darts, clockwise, from the dart by which this walk enters the node to
-            this dart; at the start node it is counted from the dart that the robot faces.
+        node: the node of the dart, given by the way from the start to the node along the tree.  The
+            tuple holds the ``turn`` of each dart by which this way leaves a node; it is empty for
+            the node of the start.
+        turn: the number of darts, clockwise, from the dart by which this way enters the node to
+            this dart.  At the node of the start it is counted from the dart that the robot faces.
     """
 
     node: tuple[int, ...]
@@ -141,14 +142,15 @@ def quotient(
 
 
 class ClassTable(NamedTuple):
-    """The classes of darts, as 0, 1, 2, ..., and the class to which each letter leads from each.
+    """The table of the classes of darts: to which class each letter leads from each class.
 
-    Class 0 is that of the dart that the robot faces at the start.
+    The classes are numbered 0, 1, 2, ...; class 0 is that of the dart that the robot faces at the
+    start.
 
     Attributes:
         sigma, alpha: for each class the class to which the letter ``s``, or ``a``, leads.
         sensed: for each class the percept of a robot at its darts.
-        here: the class of the robot's dart.
+        here: the class of the robot's dart at the end of the experiments; 0 before.
     """
 
     sigma: tuple[int, ...]
@@ -195,7 +197,7 @@ class ClassTable(NamedTuple):
         return self.sheets == 1 or (not cycles and (self.sheets == 2 or rigid))
 
     def turns(self, vertex: Sequence[int]) -> int:
-        """The number of times that the classes in ``vertex`` occur round a vertex of the world.
+        """The number of times that each class in ``vertex`` occurs round a vertex of the world.
 
         ``vertex`` is one of :meth:`vertices`.  All vertices of the world that have darts of these
         classes have the same degree; the result is this degree divided by the number of the
@@ -207,11 +209,16 @@ class ClassTable(NamedTuple):
         """The only world with this quotient, as an estimate; :meth:`is_alone` must be true.
 
         The darts of each class have numbers, from 0 on, as many as there are sheets.  sigma and
-        alpha lead to a dart with the same number in another class, with two exceptions.  First, let
-        the classes of a vertex of the quotient (see :meth:`vertices`) occur several times round a
-        vertex of the world.  Where sigma leads from the last of these classes to the first one, it
-        also adds 1 to the dart's number, modulo the number of sheets.  Second, if alpha leads from
-        a class to itself, alpha exchanges the darts 0 and 1 of this class.
+        alpha lead to a dart with the same number in another class, with two exceptions.
+
+        First: the classes of a vertex of the quotient (see :meth:`vertices`) may occur several
+        times round a vertex of the world.  By :meth:`is_alone` this number is then that of the
+        sheets.  So one vertex has all darts of these classes: first those with the number 0,
+        clockwise, then those with the number 1, and so on.  Where sigma leads from the last of
+        these classes to the first one, it adds 1 to the number, modulo the number of sheets.
+
+        Second: alpha may lead from a class to itself.  By :meth:`is_alone` there are then two
+        sheets, and alpha exchanges the darts 0 and 1 of this class.
         """
         k = self.sheets
         sigma = [of * k + i for of in self.sigma for i in range(k)]
@@ -314,14 +321,18 @@ class _Learner:
         return None
 
     def _to_be_met(self) -> Iterator[SensedWord]:
-        """Yield the words, from the start, that suffice to prove the attribute ``table``.
+        """Yield the words from the start along which the table must predict rightly.
 
-        If the table predicts rightly along all these words, it is right for every word.  The first
-        words lead to a dart of each class and then go on by ``a`` twice, or by ``s`` as often as
-        the degree, which must lead back to this dart.  Each other word first turns, by letters
-        ``s``, to a dart of v0 that is in class 0 by the table.  Then it leads to a dart of some
-        class, goes on by one letter, and ends with the letters of :meth:`_back`, which lead to
-        class 0 if the table is right.
+        If the attribute ``table`` predicts rightly along all these words, it is right for every
+        word.  Each of the first words leads to a dart of a class, and then goes on by ``a`` twice,
+        or by ``s`` as often as the vertex has darts: this shows that ``a`` and ``s`` can be undone.
+
+        Each other word has four parts.  First: letters ``s`` lead to a dart of v0 that is in class
+        0 by the table.  Second: a shortest word leads to some class.  Third: one letter leads to a
+        next class.  Fourth: the letters of :meth:`_back`, which undo a shortest word to the next
+        class, lead to a dart of class 0 at v0, which the mark shows.  So from the darts of class 0
+        the second and third parts lead to the same darts as that shortest word, and these darts are
+        all that the next class has.
         """
         table = self.table
         degrees = [percept.degree for percept in table.sensed]

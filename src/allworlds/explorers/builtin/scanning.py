@@ -1,13 +1,15 @@
 """Algorithm 1 for a robot that senses at v0 only a letter, which depends on the bearing.
 
-A letter is the number of marks in a percept at v0; each dart of v0 has the letter that a robot
-senses after its arrival by this dart.  If only one dart has a letter other than 0, it is a *door*;
-else the letters of all bearings, 0, 1, 2, ..., are a *word*.  In the *scan* the robot learns the
-letters of v0: it leaves by each dart of v0 and comes back.  A test that has come to v0 ends with
-*queries*: the robot goes out and back by darts whose letters prove that it had entered v0 by the
-expected dart.  These darts exist if the word is primitive, that is, no repetition of a shorter
-word; for a door one query suffices.  A failed query need not be undone: after a query the robot is
-at v0 again, and has only turned.
+A letter is the number of marks in a percept at v0.  The letter of a dart of v0 is the one that a
+robot senses after its arrival by this dart.  The *word* of v0 consists of the letters at the
+bearings 0, 1, 2, ..., in this order.  If exactly one dart of v0 has a letter other than 0, this
+dart is called the *door*.
+
+In the *scan* the robot learns the letters of v0: it leaves by each dart of v0 and comes back.  A
+test that has come to v0 ends with *queries*: the robot goes out and back by darts whose letters
+prove that it had entered v0 by the expected dart.  Such darts exist if the word is primitive, that
+is, if it does not repeat a shorter word.  If there is a door, one query is enough.  After a query
+the robot is at v0 again and has only turned, so a failed query needs no motions that undo it.
 
 The paper does not have this algorithm.
 """
@@ -126,12 +128,15 @@ class Scanning(Algorithm1):
 def telling(letters: list[int], dart: int) -> list[int]:
     """A few darts of v0 whose letters prove that the robot came in by ``dart``.
 
-    ``letters`` holds the letter of each dart of v0, clockwise.  If the robot came in by another
-    dart of v0, queries read a cyclic shift of ``letters`` instead; at another vertex they read only
-    zeros.  The robot has already sensed the letter of ``dart``.  So the queries need to exclude
-    only a shift, or the list of zeros, that has at the index ``dart`` the same letter as
-    ``letters``.  Each such list has another letter than ``letters`` at one of the returned darts at
-    least, unless it equals ``letters``: then ``letters`` repeats a shorter word, or is all 0.
+    ``letters`` holds the letter of each dart of v0, clockwise.  The robot has sensed the letter of
+    ``dart``, and expects the other letters of the list at the other darts.  If it came in by
+    another dart of v0, it reads a cyclic shift of ``letters`` instead; at another vertex it reads
+    only zeros.  The queries must exclude these wrong lists, but only those that have the right
+    letter at the index ``dart``.  So each of them differs from ``letters`` at one of the returned
+    darts at least.
+
+    A wrong list that equals ``letters`` cannot be excluded: then ``letters`` repeats a shorter
+    word, or is all 0.
     """
     shifts = [letters[k:] + letters[:k] for k in range(1, len(letters))]
     others = [word for word in ([0] * len(letters), *shifts) if word[dart] == letters[dart]]
