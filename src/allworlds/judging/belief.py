@@ -50,10 +50,11 @@ def believed_percepts(
 ) -> list[actions.Percept] | None:
     """The percepts that the map of an answer predicts, at the start and after each step.
 
-    The method ``believed`` of the world's lighthouse chooses the place of the lighthouse in the
-    answer's map, whose start is the first dart of ``trail``.  For most kinds this is the place with
-    the same number as the place in the world, or the dart that is as many darts clockwise from the
-    start as the lighthouse's dart in the world.  The result is None if there is no such place.
+    For this the lighthouse needs a place in the answer's map, whose start is the first dart of
+    ``trail``.  The lighthouse's own method ``believed`` chooses the place.  Most kinds of
+    lighthouses follow one of two rules.  First: the places of each map are numbered, and the place
+    has the same number as in the world.  Second: the lighthouse's dart is as many darts clockwise
+    from the start as in the world.  If the answer's map has no such place, the result is None.
 
     Args:
         walk: the robot's walk in the world.
@@ -82,9 +83,11 @@ class Parting(Struct, frozen=True):
     Attributes:
         step: the number of the step; 0 is the start.
         robot: the robot's dart in the world.
-        taken_for: the dart of the world that the answer confuses with the robot's dart; None if the
-            answer takes the robot's vertex for a new one.
-        fresh: whether the robot is at this vertex of the world for the first time.
+        taken_for: the dart of the world for which the answer takes ``robot``; None if the answer
+            takes the robot's vertex for a new one.  If ``taken_for`` is right, only the percept
+            does not fit the answer.
+        fresh: whether the robot's vertex is really new: the robot is at this vertex of the world
+            for the first time.  Then ``taken_for`` is right if it is None, else if it is ``robot``.
     """
 
     step: int
@@ -102,17 +105,20 @@ def find_parting(
 ) -> Parting | None:
     """The first step at which the walks in the world and in the answer diverge; None if at none.
 
-    After each step the robot stands at a dart of the world and at a dart of the answer.  These two
-    darts are paired.  Then the next darts clockwise are paired, and so on round the two vertices.
-    The walks diverge when one dart gets two partners, or when a percept does not fit.
+    At the start and after each step the robot stands at a dart of the world and at a dart of the
+    answer.  If the robot is at this vertex of the world for the first time, these two darts become
+    partners, then the next darts clockwise round the two vertices, and so on.  The walks diverge at
+    the first step at which the percept does not fit, or at which one of the robot's two darts
+    already has another partner.
 
     Args:
         world: the true map.
         walked: the robot's darts in the world, at the start and after each step.
         answer: the estimated map.
         believed: the robot's darts in the answer, at the start and after each step.
-        fits: for the start and each step whether the answer predicts the sensed percept; if it
-            does, the robot's vertices in the world and in the answer have the same degree.
+        fits: for the start and each step whether the answer predicts the sensed percept.  The
+            caller must set it to False if the robot's vertices in the world and in the answer have
+            different degrees.
 
     Cost: linear in the steps and the darts.
     """
@@ -159,17 +165,20 @@ class BelievedWalk(Struct, frozen=True):
 def believed_walk(walk: Walk, answer: actions.Estimate) -> BelievedWalk:
     """The walk in the answer that agrees for longest with ``walk``, the walk in the world.
 
-    The first candidate is the walk with the same actions that ends at the answer's ``here``.  But
-    an explorer may have been right up to its last step, and then have given a wrong ``here``.  So,
-    if the first candidate diverges from ``walk`` before the last step, each dart of the answer
-    gives a further candidate: the walk with the same actions that begins at this dart, but with
-    ``here`` as its last dart.  The last step of such a candidate can be a leap to ``here`` that no
-    motion makes.  A candidate with a leap must not prove that the answer fits the log; so a further
-    candidate that never diverges is left out.
+    Several walks in the answer, the candidates, are compared with ``walk``.  All have the actions
+    of ``walk`` and the last dart ``here``, the answer's pose.  The first candidate is the walk that
+    really ends at ``here``.  If it diverges from ``walk`` only at the last step, or never, it is
+    the result.
 
-    If several candidates agree equally long, the first candidate is preferred.  Of the others the
-    one is preferred whose degrees equal the sensed degrees for the most steps, counted from the
-    start; of several such candidates, the one that begins at the smallest dart.
+    Otherwise the explorer may have been right up to its last step, and then have given a wrong
+    ``here``.  So each dart of the answer gives a further candidate: the walk that begins at this
+    dart, with its last dart replaced by ``here``.  A further candidate that never diverges is left
+    out: its last step is a leap that no motion makes, because the only walk that really ends at
+    ``here`` is the first candidate.
+
+    The candidate that diverges latest is the result.  If several diverge latest, the first
+    candidate is preferred; then the further candidate whose degrees equal the sensed degrees for
+    the most steps from the start; then the one that begins at the smallest dart.
 
     Cost: for each dart of the answer at most linear in the steps and the darts.
     """

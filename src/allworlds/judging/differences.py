@@ -44,12 +44,16 @@ def overruled(outcome: Outcome, first: Log, second: Log, *, choices: bool = Fals
 
 
 def _may_be_overruled(violation: Violation | None, second: Log) -> bool:
-    """Whether the violation of ``nondeterministic`` may replace ``violation``, if two plays differ.
+    """Whether the law ``nondeterministic`` may replace the broken law of the first play.
 
-    ``violation`` is that of the first play, or None; ``second`` is the log of the second play.  The
-    replacement is legal in four cases: ``violation`` is None; its law is ``crash`` or ``timeout``,
-    which a run may break because of the machine; the second play does not end with a fault by the
-    same law; or ``nondeterministic`` stands before this law in the order of precedence.
+    The two plays of the run differ.  The result is False only if three conditions are met.  First:
+    the law of ``violation`` stands before ``nondeterministic`` in the order of precedence.  Second:
+    it is neither ``crash`` nor ``timeout``, which a run may break because of the machine.  Third:
+    the second play ends with a fault by the same law.
+
+    Args:
+        violation: the violation of the first play; None if it breaks no law.
+        second: the log of the second play.
     """
     if violation is None or violation.law in LOST:
         return True
@@ -133,11 +137,13 @@ def nondeterministic(seen: str) -> Violation:
 def _meaning(log: Log) -> object:
     """The part of a play's ending that must be equal in both plays: the answer or the broken law.
 
-    The result is the name of the broken law if the play ended with a fault; else the ending as the
-    log records it, with the answer.  But it is None if the play's last action got no percept, for
-    one of two reasons: in the first play, in the world, the action was illegal; in the second play
-    the recorded percepts had come to their end.  After an illegal action of the first play no
-    percept is recorded, so for plays with the same actions both reasons mean the same.
+    There are three cases.  First: the play ended because its last action got no percept; then the
+    result is None.  Second: the play ended with a fault; then the result is the name of the broken
+    law.  Third: otherwise the result is the ending as the log records it, with the answer.
+
+    In the first case the two plays may record different endings that mean the same.  In the first
+    play the last action was illegal in the world, so no percept was recorded for it.  In the second
+    play the recorded percepts are at their end at this action.
     """
     if log.ending[0] in (entries.BEYOND, entries.REFUSED):
         return None  # there is no percept after a refused action

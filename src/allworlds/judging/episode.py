@@ -132,10 +132,12 @@ def play(
         world: the world; the run does not change it, and the explorer does not see it.
         player: the explorer.
         choices: the object that makes the choices, for an explorer that takes choices.
-        budget: the largest legal number of traversals; ``budget + 1`` checkpoints are legal.
-        beat: two numbers by which another process can notice that the explorer is silent.
-            ``beat[0]``, the number of the run, is not changed here; ``beat[1]`` is the number of
-            the explorer's turn, and is 0 after the end of the run.  None: no process reads them.
+        budget: the largest legal number of traversals of the run.  In the whole run ``budget + 1``
+            checkpoints are legal.
+        beat: two numbers that another process reads; if they stay the same for too long, the
+            explorer is silent.  ``beat[0]``, the number of the run, is not changed here.
+            ``beat[1]`` is 1 at the start of the run, grows by 1 with each message of the explorer,
+            and is 0 after the end of the run.  None: no process reads them.
         maps: whether the task asks for a map; else any answer is allowed.
         over: the function that tells whether the task is done, so that the run ends; None if the
             run never ends because of the task.

@@ -90,16 +90,17 @@ def tell_round(story: Story) -> list[str]:
 def tell_way_back(story: Story) -> list[str]:
     """Say at which step the explorer seems to count doors from a wrong door.
 
-    A robot that comes back to a vertex through the door by which it had left (a way back) faces
-    this door, and ``Move(k)`` counts from there.  Some explorers wrongly count from the door by
-    which the robot had come in before it left.  For each motion of the walk, this function finds
-    the *meant* door: the one that ``k`` names for an explorer with this mistake.
+    If a robot leaves a vertex through a door, and next comes to this vertex through the same door
+    (a way back), it faces this door, and ``Move(k)`` counts from there.  Some explorers count from
+    another door instead: the one by which the robot had come in before it left.  For each motion of
+    the walk this function finds the door that ``k`` names by this wrong count: the *meant* door.
 
-    The sentence names the first motion after a way back by which the robot left along an edge that
-    it had walked before, while the meant door led along a new edge: the explorer seems to have
-    wanted the new edge.  The opposite case is a motion by which the robot left along a new edge,
-    although the meant door led along a walked edge.  If the walk has at least one such motion,
-    the mistake does not explain the walk, and the result is empty.
+    The mistake shows at a motion after a way back, if the robot left along an edge that it had
+    walked before, but the meant door led along a new edge: the explorer seems to have wanted the
+    new edge.  The sentence names the first such motion.
+
+    The mistake does not explain the walk if, at any motion, the robot left along a new edge while
+    the meant door led along a walked edge.  Then the result is empty.
     """
     map_, darts = story.map, story.walk.darts
     came, left, walked, remarks = dict[int, Dart](), dict[int, Dart](), set[Dart](), list[str]()

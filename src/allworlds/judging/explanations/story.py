@@ -184,16 +184,18 @@ LARGEST = 40
 
 
 class Slip(Struct, frozen=True):
-    """The only difference between an answer and the world.
+    """The one mistake by which an answer differs from the world.
 
     Attributes:
         name: the name of the slip, in a word or two.
         sentence: a description with the darts of the world.
-        mended, truth: two equal maps, which prove the slip: the answer's map after the correction
-            of the slip, and the world's map.  If the answer lacks or misplaces one edge, both maps
-            are without this edge.  If the slip is in the reading of percepts, ``mended`` is None.
-        here: the robot's dart in ``mended``; None if the answer's ``here`` is also wrong, or if
-            the dart is unknown.
+        mended, truth: two equal maps, which prove the slip.  ``mended`` is the answer's map after
+            the correction of the slip, and ``truth`` is the world's map.  If one edge is missing or
+            misplaced in the answer, both maps are without this edge.  If the slip is in the reading
+            of percepts, ``mended`` is None: then the answer fits the percepts if they are read
+            wrongly in this way, and that proves the slip.
+        here: the robot's dart in ``mended``; None if the answer's ``here`` is also wrong, or if the
+            dart is unknown.
     """
 
     name: str
@@ -362,12 +364,12 @@ def _edge_misplaced(belief: Belief) -> Slip | None:
 
 
 def _edge_missing(belief: Belief) -> Slip | None:
-    """Recognise an answer that lacks one edge of the world, or contracts it to a vertex.
+    """Recognise an answer that lacks one edge, and perhaps takes its two ends for one vertex.
 
-    There may be several edges without which the world's map equals the answer's map.  Then the slip
-    names an edge that the robot never walked along; if there is none, the edge along which the
-    robot's first walk came latest: the explorer most likely knew the edges that it had walked
-    earlier.
+    There may be several edges whose removal makes the world's map equal to the answer's map.  Then
+    the slip names an edge that the robot never walked along.  If the robot walked along all of
+    them, the slip names the one that it discovered last, because the explorer most likely knew the
+    edges that were discovered earlier.
     """
     story, answer = belief.story, belief.answer.map
     alpha, crossed = story.map.alpha, story.walk.crossed
