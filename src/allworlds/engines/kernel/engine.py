@@ -99,10 +99,10 @@ def sums_of(unit: runs.UnitArrays, job: Any, robot: Any) -> Sums:
 
 
 def unit_of(level: Level, prefix: Sequence[int], keep: int = 1) -> runs.UnitArrays:
-    """New arrays for a unit: they hold ``prefix``, bounds and budgets, and room for the results.
+    """New arrays for the compiled judge of a unit: the request is filled in, the results are empty.
 
-    ``level`` is the request, with the bounds and the budgets of the runs; ``prefix`` holds the
-    first decisions of the unit's maps.  There is room for ``keep`` runs that break a law.
+    The request consists of ``prefix``, the first decisions of the unit's maps, and of a copy of the
+    bounds and the budgets in ``level``.  There is room for ``keep`` runs that break a law.
     """
     bounds = array(level.bounds, int64)
     return runs.UnitArrays(
@@ -177,10 +177,13 @@ def walk(level: Level, prefix: Sequence[int], *, keep: int = 1, halt: Any = None
 
     Call this function only if the request ``level`` asks for the class ``maps``, the directional
     lighthouse, all laws, and a bound that depends on n alone: the function takes this for granted,
-    and does not check it.  Return the same counts as :func:`judge`, with one exception: if a walk
-    breaks a law, the result has one broken run of this rooted map, without a law's name, which
-    stands for all places of the lighthouse.  A walk that costs more than the largest budget breaks
-    a law.
+    and does not check it.
+
+    If no walk breaks a law, the counts are those of :func:`judge`.  If a walk breaks a law, the
+    result has one broken run for this rooted map, in place of one for each place of the lighthouse;
+    this run has no place and names no law.  A walk breaks a law if it fails, if it costs more than
+    the bound for its n, or if it costs more than the largest of all numbers in ``level.budgets``.
+    The cost of a walk that fails is not counted.
 
     The arguments are those of :func:`judge`.
 
@@ -310,9 +313,10 @@ class UnitJudge:
 def lay_out(job, unit, heads, worlds):
     """Write the next runs of a unit to memory; return the number of the written runs.
 
-    Map after map of the unit is made, and all runs in this map are written.  Once a run is written,
-    no further map is begun if ``job.number``, the number of the next run, has reached
-    ``job.until``, or if there may be too little room for all runs of the map.
+    The function makes one map of the unit after the other, and writes all runs in each map.  It
+    goes on until at least one run is written.  From then on it makes a further map only if two
+    conditions hold: ``job.number``, the number of the next run, is less than ``job.until``; and
+    there is surely room for all runs in the further map.
 
     ``job`` and ``unit`` are the arguments of :func:`allworlds.engines.kernel.runs.examine`.  After
     the last run of the unit ``job.until`` becomes 0; in later calls nothing is written.

@@ -4,11 +4,12 @@ S is the explored part that a checkpoint shows, or the map of an answer.  S is e
 world: its ``here`` is mapped to the robot's true dart, and the images of all other darts follow
 along sigma and the explored edges.
 
-To fold a log, the walk of the log is first made in a tree, where each step leads to a new node.  On
-each arrival at v0 the present node is merged with v0, dart with dart as the bearing says; if a dart
-then leads to two nodes, these two nodes are merged, too.  Each node is a copy of a vertex of the
-true map, and its darts have the numbers of that vertex's darts.  Dart d of node v is the number
-``v << NODE | d``.
+To fold a log, the walk of the log is first made in a tree, in which each step leads to a new node.
+Each node is a copy of a vertex of the true map, and its darts have the numbers of that vertex's
+darts.  If a step arrives at v0, its node is merged with the first node, which stands for v0.  In a
+merger the two darts with the same number become one dart; if this dart then leads to two nodes,
+these two nodes are merged, too.  Dart d of node v is the number ``v << NODE | d``, where the
+constant NODE is a number of bits.
 
 Some arguments have the same meaning in all functions.  ``world`` is the true map with its
 lighthouse.  ``published`` is S with its ``here``.  ``judged`` holds the laws that the checkpoints
@@ -91,9 +92,9 @@ def answer_law(published, world, dart, judged):
 def _is_part(judged, published, world, dart, walked):
     """Whether S, with its cyclic orders, is a part of the world, and all edges of S were walked.
 
-    S is ``published``, and its ``here`` must stand for ``dart``, a dart of the world.  ``walked``
-    is the set of the darts of walked edges; -1 is the set of all darts.  ``judged`` is only room
-    for the work: no law is noted there.
+    S is ``published``.  S is a part only if it can be embedded such that its ``here`` is mapped to
+    ``dart``, a dart of the world.  ``walked`` is the set of the darts of walked edges; -1 is the
+    set of all darts.  ``judged`` is only room for the work: no law is noted there.
     """
     size, here = published.darts, published.here
     if here < 0 or here >= size or size > world.darts:

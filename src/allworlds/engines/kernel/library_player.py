@@ -69,7 +69,7 @@ class LibraryPlayer:
         self._moved = empty(layout.LOG_BYTES, uint8)
 
     def play(self, batch: dict[str, Any]) -> tuple[bytes, Any] | None:
-        """Play a batch; return the lengths of the logs as bytes, and the logs.
+        """Play a batch; return the lengths of the logs, packed as four bytes each, and the logs.
 
         Return None if the logs do not fit into memory, or if the library has left new threads
         running.  ``batch`` is the message that asks for the plays: its parts by their names.
@@ -95,7 +95,7 @@ class LibraryPlayer:
         return self._in_order(order, size, memory)
 
     def _in_order(self, order: Any, size: int, memory: Stretch) -> tuple[bytes, Any]:
-        """The lengths of a batch's logs as bytes, and the logs, both sorted by the runs' numbers.
+        """The lengths of the logs, packed as bytes, and the logs; both sorted by the runs' numbers.
 
         ``memory`` holds the logs, ``size`` bytes in all, in the order in which the runs were
         played.  ``order`` holds the numbers of the runs in this order.
@@ -288,10 +288,10 @@ def _publish(handed, logs, at, what):
     """Write a checkpoint or an answer to ``logs`` from index ``at`` on; return the index after it.
 
     ``what`` is the first byte of the entry: SHOWN for a checkpoint, ANSWERED for an answer.  The
-    explorer's map follows.  If the number of darts is not from 1 to MOST_DARTS, or if another
-    number of the map does not fit into a byte, the entry cannot be written.  Then the byte BEYOND
-    is written at ``at`` and ends the log, which is left to the Python judge, and ``at`` itself is
-    returned.
+    explorer's map follows.  The entry cannot be written in two cases: the number of darts is not
+    from 1 to MOST_DARTS, or some other number of the map does not fit into a byte.  Then the byte
+    BEYOND at index ``at`` ends the log, which only the Python judge can judge; and the function
+    returns ``at``, by which the caller sees that the log has ended.
     """
     explorer, here = handed.library, handed.here
     here[0] = NONE

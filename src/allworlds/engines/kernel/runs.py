@@ -3,8 +3,9 @@
 A run is a world with a place of the lighthouse.  Runs have the same numbers in their unit as in the
 Python engine; a world without a place counts as one run.
 
-In this module a player is an explorer behind its C interface, or a reader of logs that an explorer
-has left in another process.  The judge is compiled twice: once for explorers, and once for readers.
+In this module a player is one of two things: an explorer behind its C interface; or a reader of
+logs, which another process has made by playing an explorer.  The judge is compiled twice: once for
+explorers, and once for readers.
 
 Some arguments have the same meaning in all functions.  ``job`` is the state of the unit that is
 being done: the map and the lighthouse of the present run, its log, and more.  ``world`` is the map
@@ -47,7 +48,11 @@ UNDEFINED = -(1 << 62)
 
 
 class UnitArrays(NamedTuple):
-    """The arrays of a unit: the request, and the results."""
+    """The arrays of a unit for :func:`examine`, which reads the request and writes the results.
+
+    The request: ``prefix``, ``viable``, ``bounds`` and ``budgets``.  The results: ``met``,
+    ``counts`` and ``kept``.
+    """
 
     # The first decisions of the gluing of each map of the unit.
     prefix: Any
@@ -175,9 +180,13 @@ def _judged_run(job, player, budget, bound):
 def play(*arguments: Any) -> int:
     """Play a run; return the number of the law that ended the run, or 0 if it has an answer.
 
+    This function is only a name that compiled code calls.  The compiler puts one of two functions
+    in its place: :func:`_meet` if the player is an explorer behind its C interface, :func:`_follow`
+    if the player is a reader of logs.
+
     The arguments are a world, a player, the budget, and the arrays for the log and for the
-    judgement of the checkpoints.  The largest legal number of checkpoints is the budget plus 1.
-    Compiled code calls :func:`_meet` or :func:`_follow` in place of this function.
+    judgement of the checkpoints.  A run with more than ``budget + 1`` checkpoints breaks the law
+    budget.
     """
     raise NotImplementedError
 
@@ -242,11 +251,15 @@ def _sense(world, dart, percept):
 def _follow(world, reader, budget, log, judged):
     """Follow the next log through the world; return what :func:`play` returns.
 
-    The percepts are noted for the second play.  This function knows motions, choices, checkpoints,
-    estimates, and the two entries by which a run breaks the law budget.  If the log has any other
-    entry, or a misplaced one, the returned law is illegal-action for the time being; the Python
-    judge finds the law that is really broken, if any.  Such logs are also counted in
-    ``reader.strange``, unless the entry is FAULT: the player's note that the explorer breaks a law.
+    The percepts are noted for the second play.  This function knows motions, choices, checkpoints
+    and estimates; and it knows OVER_BUDGET and SHOWN_TOO_OFTEN, two entries that end a run by the
+    law budget.  Any other entry, and any misplaced entry, ends the log here, and the function
+    returns illegal-action.  This result is provisional: the Python judge later finds the law that
+    is really broken, if any.
+
+    The entry FAULT is the player's note that the explorer breaks a law; after it the counts of the
+    kernel are valid.  After any other unknown or misplaced entry the log is counted in
+    ``reader.strange``; then the Python judge judges the whole batch.
     """
     logs, size, published = reader.logs, reader.size, log.published
     run, noted = reader.run, reader.noted
@@ -293,9 +306,10 @@ def _follow(world, reader, budget, log, judged):
 def _note(reader, at, world, dart):
     """Note the percept of a robot that arrives by the dart ``dart``, for the second play.
 
-    The percept is written as three bytes, from byte ``at`` of the reader's percepts on.  A fourth
-    byte is also written, but the next percept overwrites it.  If there is no room for the percept,
-    the log is counted in ``reader.strange``, as a log for the Python judge.
+    The percept has three bytes, which begin at byte ``at`` of the reader's percepts.  Memory is
+    written four bytes at a time; the fourth byte has no meaning, and the next percept overwrites
+    it.  If there is no room for the percept, the log is counted in ``reader.strange``, as a log for
+    the Python judge.
     """
     if at + 4 > LOG_BYTES:
         reader.strange += 1

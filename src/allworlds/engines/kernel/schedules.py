@@ -4,20 +4,25 @@ A pass explores one edge.  Between two passes the robot's knowledge is a pair: t
 explored edges, and the robot's vertex.  This vertex is v0, or it has just been added and has one
 explored edge.  The costs of rejected hypotheses add up, and depend neither on their order nor on
 the robot's vertex.  So the cost of the tests of a pass is computed once for each set of explored
-edges and each dart to cross.  The search tries each test on every simple path to v0, because a
-false hypothesis must be rejected on each of these paths.
+edges and each dart to cross.
 
-Since every choice of a dart is tried, the costs are equal for all roots at v0.  So of all rooted
-maps that differ only in the root at v0, only one is searched: the rooted map with the least code.
-The code of a rooted map is its sigma and alpha, with the darts renumbered from the root.
+A test walks to v0 on a simple path, and a schedule may choose any such path.  So the search tries
+each test on every simple path to v0, and finds its least and its largest cost.  It also counts the
+tests that confirm a false hypothesis; by the theory there are none.
+
+The start is a dart of v0.  Every choice of a dart is tried, so the costs do not depend on which of
+these darts is the start.  Rooted maps with the same map and the same v0 therefore have equal costs,
+and only one of them is searched: the one with the least code.  The code of a rooted map is its
+sigma and alpha, with the darts renumbered from the root, which is the start.
 
 The maps are made as in :mod:`allworlds.engines.kernel.worlds`: a list of decisions makes a map, and
 ``viable`` is the table that says which unfinished maps are legal.
 
 Some arguments have the same meaning in all functions.  ``job`` is an array ``SCHEDULES``, the state
-of the search, with the present world.  ``explored`` is a set of edges, those of S.  ``known`` is
-the set of the vertices of these edges, with v0.  ``worst`` and ``best`` hold the costs that remain:
-the entry ``[explored, v]`` is for the robot at vertex v when the edges ``explored`` are explored.
+of the search, with the present world.  ``explored`` is a set of edges, those of S. ``known`` is the
+set of the vertices of S: v0 and all vertices of these edges.  ``worst`` and ``best`` hold the costs
+that remain: the entry ``[explored, v]`` is for the robot at vertex v when the edges ``explored``
+are explored.
 
 Source: Algorithm 1, Section IV.
 """
@@ -175,13 +180,15 @@ def _begin(job, reached):
 
 @inner
 def _pass(job, explored, known, worst, best):
-    """Find for each dart in U the largest and the least cost from crossing that dart to the answer.
+    """Find for each dart e in U the costs from crossing e to the answer: the largest and the least.
+
+    The costs include the crossing.  They are written to ``job.most[e]`` and ``job.least[e]``.  If e
+    is not in U, ``job.most[e]`` becomes -1, and ``job.least[e]`` has no meaning.
 
     S has the edges ``explored`` and the vertices ``known``; U holds the other darts of these
-    vertices.  The costs for dart e are written to ``job.most[e]`` and ``job.least[e]``; if e is not
-    in U, -1 is written to ``job.most[e]``.  The costs that remain after the pass are read from
-    ``worst[after, v]`` and ``best[after, v]``: here ``after`` is the set ``explored`` with the edge
-    of e, and v is the vertex at which the pass ends.
+    vertices.  The costs that remain after the pass are read from ``worst[after, v]`` and
+    ``best[after, v]``: here ``after`` is the set ``explored`` with the edge of e, and v is the
+    vertex at which the pass ends.
     """
     world = job.world
     _shortest(job, 0, job.near)
@@ -350,17 +357,18 @@ def _longest(job, start, length):
 class ScheduleCosts(NamedTuple):
     """The costs over all schedules in the maps with one number of vertices.
 
-    Each map has a most expensive and a cheapest schedule.
+    In each map one schedule is the most expensive, and one is the cheapest.
 
     Attributes:
         vertices: n.
         rooted: the number of rooted maps.
-        worst: the maximum, over all maps, of the cost of the map's most expensive schedule.
-        best: the maximum, over all maps, of the cost of the map's cheapest schedule.
-        tests: the number of tests, on all simple paths, in the searched worlds.
+        worst: the cost of the most expensive schedule in a map; of all maps, the largest such cost.
+        best: the cost of the cheapest schedule in a map; of all maps, the largest such cost.
+        tests: the number of tests, on all simple paths. Tests are made only in the searched maps:
+            of rooted maps that differ only in the start at v0, one is searched.
         wrong: the number of tests that confirmed a false hypothesis.
-        sigma, alpha: the map with the cost ``worst``; of several such maps the map with the least
-            code.
+        sigma, alpha: the map in which a schedule has the cost ``worst``; of several such maps the
+            one with the least code. This map has nothing to do with ``best``.
     """
 
     vertices: int

@@ -40,10 +40,12 @@ from allworlds.engines.kernel.compiling import (
 
 
 def gluing_rule(edges: int) -> Any:
-    """A table that says which partial maps are legal.
+    """A table that says which unfinished maps are legal.
 
-    Entry ``[missing, open]`` is 1 if it is legal that ``missing`` darts are still to be added, and
-    ``open`` darts are open; else 0.  While darts are to be added, some dart must be open.
+    The entry ``[missing, open]`` is for a map to which ``missing`` darts are still to be added,
+    besides the ``open`` open darts that it has.  The entry is 0 if ``missing`` is above 0 and
+    ``open`` is 0, because no further vertex could then be joined to the map.  All other entries are
+    1.  In classes other than ``maps`` the function :func:`rule` excludes further maps.
     """
     viable = ones((2 * edges + 1, 4 * edges + 1), int64)
     viable[1:, 0] = 0
@@ -238,9 +240,10 @@ def _next_open(g, dart, open_):
 
 @inner
 def _one_face(g, y, z):
-    """Whether the darts y and z were in one face before they were joined.
+    """Whether the latest decision, which has joined the darts y and z, keeps the map planar.
 
-    The result is also True if the latest decision has added the vertex of z.
+    If both darts existed before, they must have been in one face until they were joined.  If the
+    decision has added the vertex of z, the result is True, because a new vertex fits into any face.
     """
     if g.added[g.depth]:
         return True
