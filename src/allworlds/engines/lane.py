@@ -9,10 +9,11 @@ play it lets the batch be settled.  To *settle* a batch is to compare the two pl
 runs that break a law.  Other modules judge a batch (``judge``), settle it (``settling``,
 ``hash_seeds``), and define what a lost player means (``losses``).
 
-An :class:`AcrossUnit` consists of all runs of the levels with up to a few edges.  These runs belong
-to other units, too, and are played there as usual.  For the AcrossUnit all of them are played in
-two opposite orders, each order by one process (``across``).  The logs of the first player serve as
-one of these two plays if they are all known.
+An :class:`AcrossUnit` consists of all runs in small worlds.  Each of these runs also belongs to
+another unit, in which it is played and counted as usual.  For the AcrossUnit two processes play all
+of these runs, in two opposite orders (``across``).  The lane can often save one of these two plays:
+if its first player has played all of these runs already, in Python and without a loss, the logs of
+the first player are used.
 
 The argument ``which`` of a method is the number of a player, FIRST or SECOND.
 """

@@ -1,12 +1,15 @@
 """The transport that brings units to lanes, in this process and in forked processes.
 
-A lane is a judge with its two players.  One lane is in this process, unless code of the user is
-needed beside the explorer, because this code could end the process: a lighthouse, a *task* (the
-demand on a run; by default, to answer with the map) or a *condition* (a property of maps that
-selects the worlds).  :func:`workers_for` lists all exceptions.  With more workers, the lane in
-this process begins first, because a small job ends before forked lanes are ready.  Lanes are forked
-after everything is loaded.  If a forked lane ends too early, other lanes do its units again, so
-that no verdict is lost.  A lane gets one unit at a time, as soon as the lane can begin that unit.
+A lane is a judge with its two players.  In general one lane is in this process.  But if the user
+has written a lighthouse, a *task* or a *condition*, all lanes are forked, because this code could
+end its process.  A task is the demand on a run; by default, to answer with the map.  A condition is
+a property of maps that selects the worlds.  :func:`workers_for` lists all cases in which no lane is
+in this process.
+
+With several workers, the lane in this process begins first, because a small job ends before forked
+lanes are ready.  Lanes are forked after everything is loaded.  If a forked lane ends too early,
+other lanes do its units again.  A lane gets one unit at a time, as soon as the lane can begin that
+unit.
 """
 
 from __future__ import annotations
@@ -68,8 +71,9 @@ class _Process:
     """A lane in a process of its own, which was forked from this process, the owner.
 
     Args:
-        lanes: the object that makes the lane.
-        others: the forked lanes that exist already.
+        lanes: the object that brings units to lanes; its field ``make`` makes the lane.
+        others: the forked lanes that exist already; the new process closes its copies of their
+            links.
     """
 
     def __init__(self, lanes: Lanes, others: Sequence[_Process]) -> None:
@@ -307,9 +311,10 @@ def _lane_of(link: Connection, lanes: Lanes, *, first_lane: bool) -> None:
 def in_any_order(units: Iterable[UnitOfRuns]) -> Iterator[UnitOfRuns]:
     """The units in a random order.
 
-    The order is drawn for :data:`AT_A_TIME` units at a time.  Among these units an
-    :class:`AcrossUnit` comes last.  It consists of runs in small worlds that also belong to other
-    units, and plays them once more; most of them have then been judged.
+    The units are taken :data:`AT_A_TIME` by AT_A_TIME, and each such group is put into a random
+    order.  But within its group an :class:`AcrossUnit` comes last.  Its runs also belong to other
+    units.  When the AcrossUnit begins, most of these units are done, and their logs may be used
+    again.
     """
     every, order = iter(units), Random()  # noqa: S311  # from the system; no verdict depends on it
     while some := list(islice(every, AT_A_TIME)):

@@ -4,22 +4,24 @@ A player is lost in a run if its process ends in the run, or if it is silent for
 of the loss* is the law that the explorer may break by this: ``crash`` or ``timeout``.  After a loss
 a fresh player plays the run alone.  If the fresh player is lost, too, it *repeats* the loss.
 
-The left column says what has happened, the right column what follows:
+The left column says what has happened, the right column what follows.  The first row that applies
+decides:
 
     ====================================================  ========================================
     the fresh player repeats the loss                     the run breaks the law of the loss
-    the fresh player does not repeat the loss, and the    the run breaks the law of the loss; the
-    machine cannot be the cause of the loss               finding says that the run breaks this law
+    the machine cannot be the cause of the loss           the run breaks the law of the loss; the
+                                                          finding says that the run breaks this law
                                                           only after other runs in one process
-    the loss is the second or a later time-out in the     the same as in the row above
-    lane that the fresh player does not repeat
-    the fresh player does not repeat the loss, in all     a remark, a sentence of the report, which
-    other cases                                           refutes nothing
+    the loss is a time-out, and an earlier time-out in    the same as in the row above
+    this lane was not repeated, either
+    none of these                                         a remark, a sentence of the report, which
+                                                          refutes nothing
     ====================================================  ========================================
 
-The machine cannot be the cause, for example, if the process has exited without a signal.  After one
-crash was repeated, each later crash counts as repeated, without a further play; the same holds for
-time-outs.
+The machine cannot be the cause, for example, if the process has exited without a signal.
+
+A crash that was repeated has refuted the explorer.  So each later crash in this lane counts as
+repeated, too, and no fresh player is started for it.  The same holds for time-outs.
 """
 
 from collections import Counter

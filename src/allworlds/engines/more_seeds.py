@@ -43,8 +43,9 @@ class MoreSeeds:
     def end(self) -> Tally:
         """Play the kept runs under further seeds, up to the first seed under which a log differs.
 
-        A log differs if its walk or its answer is not that of the run's first play.  Return a tally
-        that holds the finding or the remark that follows; it counts no runs.
+        A log differs if its walk or its answer is not that of the run's first play.  Then further
+        plays of this run show why, and the returned tally holds the finding, the remark, or both.
+        If no log differs, the returned tally is empty.  The tally counts no runs.
         """
         judge = self._settler.judge
         kept, self._kept = self._kept, []

@@ -2,14 +2,19 @@
 
     python -P -c "...; main(PARENT)" PATH...       (descriptor 3: the link; 4: the beat)
 
-The owner is the process that has started this program.  The link is the socket to the owner.  The
-beat is memory that the owner can read: the number of the run in progress, and the number of the
-explorer's turn in this run.  The program gets the name of an explorer and then batches of runs,
-until the link is closed.  A message consists of its length and of bytes that marshal has written.
-An answer consists of its length, a letter that names the kind of the answer, and bytes.  Verdicts
-use only those answers that are logs, and a judge walks each log anew.  The program loads only the
-modules of the package that it needs, so that it starts in some 50 ms if the explorer is in Python
-and makes no choices.
+The owner is the process that has started this program; PARENT is its process id.  Each PATH is a
+folder in which Python looks for modules.  The link is the socket to the owner.  The beat is memory
+that the owner can read: the number of the run in progress, and the number of the explorer's turn in
+this run.
+
+The program gets the name of an explorer and then batches of runs, until the link is closed.  A
+message consists of its length and of bytes that marshal has written.  The reply to a message
+consists of its length, a letter that names the kind of the reply, and bytes.  The user's code in
+this process may do anything.  So a verdict uses only those replies that are logs, and the judge
+follows each log in the world.
+
+The program loads only the modules of the package that it needs, so that it starts in some 50 ms if
+the explorer is in Python and makes no choices.
 """
 
 from __future__ import annotations
@@ -252,11 +257,11 @@ def played(
 
 
 def turns_of(subject: Subject, player: Player, beat: Any) -> Turns:
-    """A new object that asks the explorer for single turns.
+    """A new :class:`Turns`, by which the explorer can be asked for one turn at a time.
 
     Args:
         subject: the explorer, with its name.
-        player: the same explorer, in the form in which it is played.
+        player: the same explorer as a function that begins a run.
         beat: gets the number of the turn in progress.
     """
     from allworlds.protocol.turns import Turns
@@ -297,9 +302,12 @@ def maps_made(batch: dict[str, Any]) -> list[bytes]:
 
 
 def senses(world: World, made: Sequence[actions.Action]) -> bytes:
-    """Make a world anew; return as bytes what its lighthouse tells, and the percepts of a walk.
+    """Walk in a copy of a world; return as bytes the value that is told, and the transcript.
 
-    The walk consists of the actions ``made``.  If an action is illegal, return the error instead.
+    The walk consists of the actions ``made``.  The value is the one that the lighthouse tells the
+    robot before the start.  If an action is illegal, return the text of the error, as bytes,
+    instead.  The owner compares the bytes from several processes, to see whether a user's
+    lighthouse always senses the same.
     """
     from allworlds.judging.walk import Walk
 
@@ -322,15 +330,17 @@ def _around(kind: str, world: Any, told: Any, over: bool) -> Any:
     """The surroundings of the explorer in a run: the object that answers each action by a percept.
 
     Args:
-        kind: the kind of the batch, which says what ``world`` is and how the percepts are found.
-        world: for the kind ``table`` the table of a world, in which the percepts are looked up; for
-            the kind ``record`` the percepts of an earlier play, which are given again; for any
-            other kind the two arguments of :class:`AroundExplorer`, which computes the percepts: a
-            world, and the task's function that says whether the task is done.
-        told: the value that the robot is told before the start; used only for the kinds ``table``
-            and ``record``.
-        over: whether the run ends after the last recorded percept, because its task is done; used
-            only for the kind ``record``.
+        kind: the kind of the batch.  For ``table`` the percepts are looked up in a table; for
+            ``record`` they are those of an earlier play; for any other kind an
+            :class:`AroundExplorer` computes them.
+        world: for ``table`` the table of the world; for ``record`` the recorded percepts; for any
+            other kind a pair: the world, and the task's function that says whether the task is
+            done.
+        told: the value that the robot is told before the start; not used by an AroundExplorer,
+            which asks the world.
+        over: for ``record`` whether the task is done after the last recorded percept, so that the
+            run ends there.  If not, the run goes on until the explorer answers; an action after the
+            last percept ends the log with the byte BEYOND.
     """
     if kind == "table":
         return playing.TableWorld(world, told)

@@ -179,12 +179,13 @@ class PlayerProcess:
 
     Attributes:
         jobs: the messages that have no answer yet, each in a pair ``(job, message)``.  Here ``job``
-            is any value that the owner gives with a message, and gets back with the answer.
+            is not the job of a command, but any value that the owner gives with a message, and gets
+            back with the answer.
         beat: two numbers in shared memory: the number of the run in progress, or
             :data:`player.NO_RUN`; and the number of the explorer's turn in this run.
-        part: the log so far of the run in progress, if the player sends this log turn by turn.  The
-            player does so only if the value of the message's key ``hear`` is True; such a message
-            asks for one run.  Else empty.
+        part: the log so far of the run in progress, if the value of the message's key ``hear`` is
+            True.  Then the message asks for one run, and the player sends the log turn by turn.
+            For any other message ``part`` is empty.
         prints: the prints of the explorer, if they are recorded.
         description: the description of the explorer; None before the explorer is loaded.
     """
@@ -450,8 +451,10 @@ class PlayerHere:
         subject: the explorer with its name; needed only if a message asks for single turns.
 
     Attributes:
-        beat, description, files, part: as in :class:`PlayerProcess`.
         jobs: as in :class:`PlayerProcess`.
+        beat: the numbers of the run and of the turn, as in :class:`PlayerProcess`, but in a list.
+        description: a description without keywords and without a shield, whatever the explorer is.
+        files, part: always empty, because no messages are sent.
         prints: the explorer's prints since the player was made; empty unless they are recorded.
     """
 

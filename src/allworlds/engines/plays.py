@@ -106,10 +106,11 @@ class BothPlays:
     def hear(self, which: int) -> list[RunBatch]:
         """Store the logs that have come from a player; return the batches with new logs.
 
-        A shared library is played by compiled code.  If the player answers that compiled code could
-        not make the logs of the second play, for example because they do not fit into memory, the
-        player gets the same runs once more, to be played in Python; the logs of the first play
-        stay.
+        Compiled code plays a shared library.  Sometimes it cannot make the logs of the second play,
+        for example because they do not fit into memory.  Then the player says so, and is asked to
+        play the same runs again, in Python.  The batch keeps the logs of its first play.  If
+        compiled code cannot make the logs of the first play, the lane notices it when the batch is
+        judged.
 
         Raises:
             Lost: if the player is lost.
@@ -186,8 +187,9 @@ class BothPlays:
     def fresh(self, seed: int, make: Callable[[Indices], Message], runs: Indices) -> dict[int, Log]:
         """Let a fresh player with this hash seed play these runs; return their logs by index.
 
-        If the player is lost, each run is played alone, by a further fresh player; a log in which
-        this player is lost, too, ends with the loss.
+        If the fresh player is lost, it has sent no logs of several runs.  Then each of the runs is
+        played alone, by one more fresh player.  If that player is lost, too, the log of its run
+        ends with the loss.
 
         Args:
             seed: the hash seed.

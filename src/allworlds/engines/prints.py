@@ -98,8 +98,9 @@ def printing_to(sink: Prints) -> Iterator[None]:
 def patient_stderr() -> TextIO:
     """Stderr as a text stream that drops texts if it is full or nobody reads it.
 
-    With Python's own stderr, ``print`` would raise in the code that calls it: an explorer would be
-    refuted, or bad input would have the exit code of an internal error.
+    In these two cases ``print`` to Python's own stderr would raise an exception.  If an explorer
+    prints, the exception would count as a crash of the explorer.  If the package prints a message
+    about bad input, the command would end with the exit code of an internal error.
     """
     return io.TextIOWrapper(
         io.BufferedWriter(_Patient(2, "w", closefd=False)),

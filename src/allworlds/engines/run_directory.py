@@ -466,10 +466,13 @@ def _locked(path: Path) -> Iterator[None]:
 
 
 def _is_taken(lock: int, how: int) -> bool:
-    """Whether another process has locked a file; if no process has, lock the file.
+    """Try to lock a file without waiting; return whether the lock of another process prevents it.
 
-    ``lock`` is the descriptor of the file.  ``how`` is ``LOCK_EX`` for an exclusive lock, or
-    ``LOCK_SH`` for a shared lock.
+    If the result is False, the file is now locked.  If it is True, this process has no lock.
+
+    ``lock`` is the descriptor of the file.  ``how`` is the wanted lock: ``LOCK_EX``, an exclusive
+    lock, which any other lock prevents; or ``LOCK_SH``, a shared lock, which only an exclusive lock
+    prevents.
     """
     try:
         fcntl.flock(lock, how | fcntl.LOCK_NB)
