@@ -1,10 +1,12 @@
 """The search for runs of a batch that break a law, after both plays of every run.
 
-If the two plays of some runs differ, fresh players repeat both plays of these runs, each play under
-its own hash seed.  They do so twice: once in the order of these runs, and once in the reverse
-order.  The table of :mod:`allworlds.engines.hash_seeds` says what follows from these plays: either
-the hash seeds explain the difference, and each run is judged under both seeds, or the explorer is
-nondeterministic.  If the machine may have ended a play, further plays decide.
+If the two plays of some runs differ, both plays of these runs are repeated, each under its own hash
+seed.  Each of the two is repeated twice: once in the order of these runs, and once in the reverse
+order.  A fresh player makes each of these four repetitions.  The table of
+:mod:`allworlds.engines.hash_seeds` says what follows.  Either the hash seeds explain the
+difference; then each run is judged under both of these seeds.  Or the explorer is nondeterministic.
+But if the machine may have ended one of the first two plays of a run, further plays of this run
+decide whether the explorer is nondeterministic.
 
 The parameter ``index`` of a method is the index of a run in its batch; ``seeds`` are the hash seeds
 of the two plays.
@@ -79,11 +81,18 @@ class Settler:
             counter.settle(referee, due.world, due.place, outcome, batch.work.tally)
 
     def give_up(self, which: int, batch: RunBatch) -> None:
-        """Judge the runs of a batch in which a player was lost.
+        """Judge only those runs of a batch in which a player was lost, since the lane gives up.
 
-        For each of these runs that breaks a law, a finding is put into the unit's tally.  A lane
-        that gives up calls this method: the batch is not finished, and its runs are not counted.
-        ``which`` is the number of the player that was lost last, FIRST or SECOND.
+        For each of these runs that breaks a law, a finding is put into the unit's tally, so that
+        the report can show it.  The counts of the batch are not added to the tally, because the
+        batch is not finished.
+
+        If the second player was lost last, the two logs of each of these runs are compared, too.
+        If the first player was lost last, there is only one log of each run.
+
+        Args:
+            which: the player that was lost last, FIRST or SECOND.
+            batch: the batch.
         """
         outcomes = dict[int, Outcome]()
         for index in batch.lost:
@@ -93,12 +102,13 @@ class Settler:
         self.find(batch, outcomes)
 
     def explain_under(self, seed: int, batch: RunBatch, differing: Differing, which: int) -> None:
-        """Find out why runs had another log under the hash seed ``seed``; keep the findings.
+        """Find out why runs have other logs under a second hash seed; keep the findings.
 
         Further plays show whether the hash seeds explain the difference of the logs.  If they do, a
         run gives a finding only if the run breaks a law under at least one of the two seeds.  If
-        they do not, the finding in general says that the explorer is nondeterministic;
-        :meth:`_of_plays` tells the exception.
+        they do not, the difference in general gives a finding that the explorer is
+        nondeterministic.  But if the machine may have ended one of the two plays of a run, two
+        later plays decide instead, provided that they agree.
 
         Args:
             seed: the hash seed of the second logs; the first logs have the first player's seed.
@@ -187,11 +197,13 @@ class Settler:
     def _alike(self, batch: RunBatch, index: int, other: Log, seeds: Seeds) -> Outcome | None:
         """The outcome of a run by two later plays; None if the logs of these two plays differ.
 
-        The two original plays differ, and the machine may have ended one of them; ``other`` is the
-        log of the second original play.  In each later play a fresh player plays this run alone:
-        first in the world, then by the percepts of the first later play.  The percepts of the first
-        original play are not used, because they end too early if a player was lost in it.  If the
-        later plays agree, the end of the original play is only a remark.
+        Two plays of the run were made before, and they differ.  The machine may have ended one of
+        them; so this play refutes nothing if the later plays agree.  Then its end becomes a remark.
+        ``other`` is the log of the second play that was made before.
+
+        In each later play a fresh player plays this run alone.  The first later play is in the
+        world.  The second later play is by the percepts of the first later play.  The percepts of
+        the plays that were made before are not used: they may end too early.
         """
         due, one = batch.due(index), batch.outcome(index).log
         log = self.plays.again(FIRST, seeds[FIRST], batch, [index])[index]

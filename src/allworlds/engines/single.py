@@ -126,10 +126,11 @@ class SingleRun(Report):
 
 
 def unused_choice(choices: Sequence[int], run: SingleRun) -> str:
-    """A clause about the first of the given choices that a run did not make as given.
+    """A clause that names a wanted choice that a run did not make; empty if it made all of them.
 
-    The text is empty if the run made all of them.  ``choices`` holds the index of the wanted option
-    for each of the first choices.
+    ``choices`` holds the index of the option to be taken at each of the first choices of the run.
+    The first index that was not taken is named, with the reason: the run had fewer choices, or this
+    choice had fewer options.  For example: "choice 2 is 5, but there are fewer options".
     """
     for i, index in enumerate(choices):
         if run.outcome.choices[i : i + 1] != (index,):
@@ -246,13 +247,14 @@ def single_run(
         subject: the explorer.
         world: the world, in any numbering of its darts.
         rules: the rules by which the run is played and judged.
-        script: the index of the option to be taken at each of the first choices; if there is no
-            such option, the policy decides.
+        script: the index of the option to be taken at each of the first choices.  The policy
+            decides at later choices, and if an index is too large for the number of options.
         limits: the limits of the players of a user's explorer.
         hash_seed: the hash seed of both players of a user's explorer; None for two different seeds.
-        after: worlds of earlier runs, for a user's explorer: the run is played alone, and once more
-            in a process that has played in these worlds.  If these two plays differ, the report
-            says that the explorer is nondeterministic; else it is about the run alone.
+        after: worlds of earlier runs, for a user's explorer.  If there are any, and no player was
+            lost, two further plays are made by the percepts of the run: one by a fresh player, and
+            one by a player that has first played in these worlds.  If these two plays differ, the
+            report says that the explorer is nondeterministic; else it is about the run alone.
     """
     if subject.from_user:
         canonical = canonical_world(world)
@@ -357,15 +359,15 @@ class Plays:
 
 
 def played_again(finding: Finding, subject: loading.Subject, limits: limits.Limits) -> Finding:
-    """Play the run of a finding again; return the finding with what these plays have shown.
+    """Play the run of a finding again; return the finding with the result of the new plays.
 
-    The field ``output`` holds the prints of these plays, and ``confirmed`` says whether fresh
-    processes repeat the run.  In most cases the run is played by the percepts of its recorded walk.
-    There are two exceptions:
+    In the returned finding the field ``output`` holds the prints of a new play, and ``confirmed``
+    says whether fresh processes repeat the run.  In most cases the run is played by the percepts of
+    its recorded walk.  There are two exceptions:
 
-    - If the law is ``crash`` or ``timeout``, and the finding has no error text, the player was lost
-      without leaving the whole walk.  Then the run is played in its world, and the finding gets the
-      walk of this play.
+    - If the law is ``crash`` or ``timeout``, and the finding has no error text, the player was
+      lost, and the recorded walk may be incomplete.  Then the run is played in its world, and the
+      finding gets the walk of this play.
     - If no other process can import the explorer, the finding is not confirmed.  The explorer plays
       the run once more in this process, for its prints.
 
@@ -413,20 +415,26 @@ def _found_again(finding: Finding, plays: Plays, log: Log) -> Finding:
 def _repeated(finding: Finding, plays: Plays, later: Plays, first: Log, seed: int) -> Finding:
     """The finding, with the result of playing its run again by the percepts of its walk.
 
-    The field ``confirmed`` of the returned finding says whether fresh processes repeat the run.  If
-    a process plays the run differently, the returned finding says that the explorer is
-    nondeterministic.  If the given finding already says so, the run is played several times under
-    both hash seeds; the finding is confirmed if one of these plays differs from the others, or from
-    the recorded walk.
+    The returned finding is confirmed in these cases:
+
+    - The field ``after`` of the given finding is not empty: the run was different after earlier
+      runs in the same process.  The finding is confirmed if a play of the run alone has the
+      recorded walk, and a play after these runs differs from it.
+    - The given finding says that the explorer is nondeterministic.  A process with the hash seed
+      FIRST and a process with the hash seed SECOND then play the run several times.  The finding is
+      confirmed if any play differs from the log ``first`` or from the recorded walk.
+    - In all other cases a process with the hash seed ``seed`` plays the run several times.  The
+      finding is confirmed if ``first`` and these plays repeat its walk and its end.  Otherwise the
+      result is that of :func:`_unlike`: a confirmed finding that the explorer is nondeterministic,
+      or the unconfirmed finding of a lost player.
 
     Args:
-        finding: the finding.  If its field ``after`` is not empty, the run was different after
-            earlier runs in the same process.
+        finding: the finding.
         plays: the maker of plays of the run alone.
-        later: the maker of plays after these earlier runs; used only if there are such runs.
-        first: the log of a play of the run alone that has been made already.
-        seed: the hash seed of the plays; not used if the finding says that the explorer is
-            nondeterministic, or if its field ``after`` is not empty.
+        later: the maker of plays after the earlier runs; used only if there are such runs.
+        first: the log of a play of the run alone, which is compared with the new plays; used only
+            in the last two cases.
+        seed: the hash seed of the new plays in the last case.
     """
     record = finding.transcript.actions, finding.choices
     if finding.after:
@@ -448,10 +456,12 @@ def _repeated(finding: Finding, plays: Plays, later: Plays, first: Log, seed: in
 
 
 def _unlike(finding: Finding, again: Log) -> Finding:
-    """The finding that an explorer is nondeterministic.
+    """A copy of a finding, after a later play of its run had another walk or another end.
 
-    ``again`` is the log of a later play of the run, whose walk or end differs from ``finding``.  If
-    ``finding`` is about the loss of a player, ``finding`` itself is returned, as not confirmed.
+    ``again`` is the log of the later play.  In general the copy says that the explorer is
+    nondeterministic, and is confirmed.  But if ``finding`` is about the loss of a player, the
+    machine may have caused the loss; so the copy says the same as ``finding``, and is not
+    confirmed.
     """
     if finding.law in LOST:
         return doc.replace(finding, confirmed=False)
@@ -475,17 +485,20 @@ def _same_walk(finding: Finding, log: Log) -> bool:
 
 
 def _ends_alike(finding: Finding, log: Log) -> bool:
-    """Whether the end of a play, given by its log, agrees with a finding.
+    """Whether the end of a play, given by its log, does not contradict a finding.
 
-    The first of these cases that applies decides:
+    The play has the walk of the finding, so it is not judged again; the function only excludes ends
+    with which the law of the finding cannot be broken.  The first of these cases that applies
+    decides:
 
     - The play ends without an answer, because it breaks a law such as ``crash`` or ``budget``: the
-      finding must be about the same law.  The texts are not compared.
+      finding must be about the same law.  Texts, such as that of an exception, are not compared.
     - The play ends because the task is done, or its answer is a JSON value: the law of the finding
       must be ``task`` or ``bound``.
     - The finding shows a wrong estimate: the play must answer with the same estimate.
-    - In all other cases the law of the finding must be one that a run with an answer of this kind,
-      an estimate or a quotient, can break.
+    - In all other cases the play has an answer, so the law of the finding must not be ``crash``,
+      ``timeout`` or ``illegal-action``.  If the answer is a quotient, the law must not be ``map``
+      or ``pose``, either; if the answer is an estimate, it must not be ``no-estimate``.
     """
     end = ending_of(log)
     if isinstance(end, Fault):
