@@ -56,7 +56,7 @@ def gather(
 
     Args:
         transport: brings the units to the engine.
-        engine: the engine.
+        engine: computes the results of the units; its type is one that the transport takes.
         undone: the units.
         total: the sum of the results.
         listener: hears of each part of a result.
@@ -65,10 +65,11 @@ def gather(
             takes.
 
     Raises:
-        TimeIsUp: when the time limit has been reached; ``total`` holds the results so far.  If
-            finished units are kept in a directory, and this command has finished no unit, the text
-            of the exception says that the same command would again finish no unit.  In this case,
-            if a part of a unit was done, the text also estimates the time for the whole unit.
+        TimeIsUp: when the time limit has been reached; ``total`` holds the results so far.  A job
+            that keeps its finished units in a directory can be continued by the same command.  If
+            this command has finished no unit, the text of the exception warns that the same command
+            would come no further.  If a part of a unit was done, the text may also estimate the
+            time for the whole unit.
     """
     begun: dict[str, units.Sum] = {}
     started, unit = time.monotonic(), None
@@ -113,12 +114,14 @@ class Sweep(ABC, Generic[Total, Answer]):
         request_type: the class of the study's requests.
         result: the class of the results of units, called without arguments for an empty result.  A
             study whose class needs arguments overrides :meth:`empty` and :meth:`read` instead.
-        finer: a larger number makes smaller units.  The enumeration makes a map by decisions, and
-            a unit holds the maps with the same first decisions; ``finer`` is added to the usual
+        finer: a larger number makes smaller units.  The enumeration makes a map by decisions, and a
+            unit holds the maps with the same first decisions; ``finer`` is added to the usual
             number of these first decisions.
-        narrowed: the extent whose condition is tested, if it is code of the user: fresh processes
-            must select the same maps by this condition.  By default it is ``extent``; a study of
-            random worlds sets the extent of these worlds.  None if no condition is tested.
+        narrowed: the extent whose condition is tested: several fresh processes apply the condition
+            to the same maps, and must select the same of them.  A condition that is not a user's
+            code is not tested.  The default of this attribute is ``extent``.  A study of random
+            worlds, which has no ``extent``, sets the extent from which its worlds are drawn.  None
+            if no condition is tested.
         portion: the shard: the part of all units that the job does.
         seconds: the seconds that each finished level took.
         deadline: the end of the time limit, on the monotonic clock; or None.

@@ -55,20 +55,24 @@ class AtRun(NamedTuple):
 class Row:
     """The counts of the worlds with one number of edges and one number of vertices.
 
+    A run is given by a rooted map and a place of the lighthouse in it.  An episode is one run under
+    one schedule; a run has several episodes only if every schedule is tried.
+
     Attributes:
         worlds: the number of rooted maps.
-        runs: the number of pairs of a world and a place.
-        episodes: the number of pairs of a run and a schedule.
+        runs: the number of runs.
+        episodes: the number of episodes.
         traversals: the traversals, summed over the episodes.
         traversals_rooted: the traversals, summed over the first place of each rooted map only.
         max_cost: the largest cost of an episode.
         bound: the largest bound of a run; None without a bound.
-        best_cost: the largest cost of a run's cheapest schedule; None unless every schedule is
-            tried.
+        best_cost: the cost of the cheapest schedule of a run; of all runs, the largest such cost.
+            None unless every schedule is tried.
         fingerprint: the sum of the fingerprints of all rooted maps, modulo 2^62.  A fingerprint is
             a number computed from the map.  The sum shows whether each map was counted once.
-        most_expensive: of the runs with the largest cost, the first in the order of
-            :class:`AtRun`; None without a run.  The comparison of rows ignores this field.
+        most_expensive: the run and the choices of an episode with the cost ``max_cost``; of several
+            such episodes the first in the order of :class:`AtRun`.  None without an episode.  The
+            comparison of rows ignores this field.
     """
 
     worlds: int = 0
@@ -106,17 +110,18 @@ class Row:
     def bound_of(self, run: int | None) -> None:
         """Update the field ``bound``, the largest bound of a run, by the bound of one more run.
 
-        ``run`` is the bound of this run; it may be negative.  If ``run`` is greater than the field,
-        the field becomes ``run``.  If ``run`` is None, the run has no bound, and nothing changes.
+        ``run`` is this further bound, or None if the further run has no bound.  If it is None,
+        nothing changes.  A user's formula can also give a negative bound, which counts like any
+        other number.
         """
         if run is not None:
             self.bound = run if self.bound is None else max(self.bound, run)
 
     def best_of(self, run: int | None) -> None:
-        """Update the field ``best_cost``, a largest cost, by one more run.
+        """Update the field ``best_cost`` by the cost of the cheapest schedule of one more run.
 
-        ``run`` is the cost of the cheapest schedule of this run.  If ``run`` is greater than the
-        field, the field becomes ``run``.  If ``run`` is None, nothing changes.
+        ``run`` is this cost.  If it is greater than the field, it becomes the value of the field.
+        If it is None, nothing changes.
         """
         if run is not None:
             self.best_cost = max(run, self.best_cost or 0)
@@ -292,10 +297,13 @@ class RunCounter(Struct, frozen=True):
     def settle(
         self, referee: Referee, world: World, place: int, outcome: Outcome, tally: Tally
     ) -> None:
-        """Keep a finding in the tally if a run breaks a law, after its two plays were compared.
+        """Keep a finding in the tally if the outcome of a run breaks a law.
+
+        This is called after the two plays of the run were compared.
 
         Args:
-            referee: the object that makes the finding from the outcome.
+            referee: makes the finding from the outcome; it belongs to the judge, and decides which
+                law an episode breaks.
             world: the world of the run.
             place: the number of the lighthouse's place in the map of the world.
             outcome: the outcome of the run, with the broken law, if any.

@@ -97,15 +97,16 @@ class Transport(Protocol):
 
 
 class Shard(Struct, frozen=True):
-    """One of several parts of a job, to which the units of every level are dealt.
+    """One of several parts of a job; each unit of each level is dealt to one of these parts.
 
-    A scope has a shard or a :class:`Sample`; either of them says which worlds are tried.  So both
-    classes have the attributes ``drawn``, ``finished`` and ``min_edges``.
+    The field ``coverage`` of a scope is a shard or a :class:`Sample`.  It says which worlds are
+    tried: all worlds of a shard's units, or random worlds.  Both classes have the attributes
+    ``drawn``, ``finished`` and ``min_edges``, so that code need not ask which of the two it has.
 
     Attributes:
         index: the number of this part, from 0 on.
         count: the number of parts.
-        drawn: whether worlds are drawn at random.
+        drawn: False, because no world is drawn at random.
         finished: the words by which reports name the finished worlds.
         min_edges: the least number of edges of a world.
 
@@ -486,10 +487,11 @@ class AcrossUnit(Struct, frozen=True):
 def across_level(extent: Extent, edges: int, portion: Shard) -> Iterator[AcrossUnit]:
     """Yield the unit of all runs with up to ``edges`` edges, if this level has such a unit.
 
-    The level with 3 edges (:data:`TWICE`) and the level with 4 edges (:data:`ACROSS`) have such a
-    unit.  So has the largest of the levels with at most 4 edges, if the extent has neither of these
-    two.  For any other level nothing is yielded.  If the job is cut into shards, only the shard
-    with index 0 has these units.
+    The level with 3 edges (:data:`TWICE`) has such a unit; in it the second process plays each run
+    twice.  The level with 4 edges (:data:`ACROSS`) has such a unit, too; in it each process plays
+    each run once.  If the extent has neither of these two levels, the largest of its levels with
+    fewer edges has such a unit.  For any other level nothing is yielded.  If the job is cut into
+    shards, only the shard with index 0 has these units.
 
     Args:
         extent: the worlds of the check.
@@ -600,7 +602,12 @@ class Scope(Struct, frozen=True):
 
     @property
     def whole(self) -> bool:
-        """Whether every world of a class is tried, so that their number can be checked."""
+        """Whether the check tries every map of its extent.
+
+        It is False if the check does one of several shards, tries random worlds, or tries the maps
+        that the user has given.  Only if it is True, the number of the worlds can be compared with
+        a number computed in another way.
+        """
         return self.coverage == WHOLE and self.extent.given is None
 
     def like(self, world: World) -> Iterable[World]:
@@ -611,9 +618,11 @@ class Scope(Struct, frozen=True):
         return () if self.extent.given is None else self.extent.given.like(world)
 
     def labelled(self, finding: Finding) -> Finding:
-        """The finding; if its world equals one given by the user, with the user's labels.
+        """Copy the user's labels to the world of a finding; return the changed finding.
 
-        Labels are names of the world and its vertices, and positions of the vertices in a drawing.
+        The labels are those of the equal world that the user has given.  If the user has given no
+        equal world, the finding does not change.  Here labels are the name of the world, the names
+        of its vertices, and the positions of its vertices in a drawing.
         """
         world = finding.world
         return replace(finding, world=labelled(world, self.like(world)))
