@@ -39,6 +39,12 @@ def test_a_loss_that_is_not_repeated_is_not_confirmed(finding, law):
     assert single._unlike(lost, AGAIN) == replace(lost, confirmed=False)
 
 
+@pytest.mark.parametrize("law", ["crash", "timeout", "illegal-action", "budget", "no-estimate"])
+def test_a_play_with_an_answer_contradicts_a_law_of_runs_without_one(finding, law):
+    assert single._ends_alike(replace(finding, law="pose", seen=""), AGAIN)
+    assert not single._ends_alike(replace(finding, law=law, seen=""), AGAIN)
+
+
 def test_another_law_that_is_not_repeated_is_nondeterministic(finding):
     found = single._unlike(finding, AGAIN)
     assert (found.law, found.confirmed) == ("nondeterministic", True)

@@ -497,7 +497,7 @@ def _ends_alike(finding: Finding, log: Log) -> bool:
       must be ``task`` or ``bound``.
     - The finding shows a wrong estimate: the play must answer with the same estimate.
     - In all other cases the play has an answer, so the law of the finding must not be ``crash``,
-      ``timeout`` or ``illegal-action``.  If the answer is a quotient, the law must not be ``map``
+      ``timeout``, ``illegal-action`` or ``budget``.  If the answer is a quotient, the law must not be ``map``
       or ``pose``, either; if the answer is an estimate, it must not be ``no-estimate``.
     """
     end = ending_of(log)
@@ -508,4 +508,4 @@ def _ends_alike(finding: Finding, log: Log) -> bool:
     if isinstance(finding.seen, Estimate):
         return bool(end.answer == finding.seen)
     others = ("map", "pose") if isinstance(end.answer, Ambiguous) else ("no-estimate",)
-    return finding.law not in ("crash", "timeout", "illegal-action", *others)
+    return finding.law not in ("crash", "timeout", "illegal-action", "budget", *others)
