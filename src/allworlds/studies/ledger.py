@@ -55,12 +55,13 @@ class Picture(Struct, frozen=True):
 
 
 class Found(Struct, frozen=True):
-    """The result of checking a sentence, found without the expected verdict and numbers.
+    """The result of a claim's function, which does not know the expected verdict and numbers.
 
     Attributes:
         verdict: whether the sentence holds in the scope.
-        witnesses: for each case that the sentence is about, the number of its occurrences; a case
-            without occurrences makes the verdict vacuous.
+        witnesses: for each case that the sentence is about, the number of its occurrences.  If a
+            case does not occur, the report gives the claim the verdict ``vacuous`` in place of
+            ``verdict``.
         figures: the numbers that the sentence names, as found, by their names in ``ledger.toml``.
         pictures: worlds that show the result, each with its caption.
         told: the refutation or an explanation, in words; may be empty.
@@ -82,7 +83,8 @@ class NotChecked(Struct, frozen=True):
 class Unfinished(RuntimeError):
     """Raised in a claim's function if a check that the function runs ends without an answer.
 
-    The report then calls the claim refuted, and not as expected; see :data:`FAULTS`.
+    The claim then gets the verdict ``refuted`` and the standing ``unexpected`` in the report, even
+    if ``refuted`` is the expected verdict.  All errors in :data:`FAULTS` are treated so.
     """
 
 
@@ -110,10 +112,11 @@ def truth(holds: object) -> Truth:
 def of_check(report: CheckReport, *events: str, **figures: Shown) -> Found:
     """The result of a claim that an exhaustive check decides.
 
+    The numbers of worlds and of runs are always witnesses of the claim.
+
     Args:
         report: the report of the check.
-        events: the names of the witnesses of the check that become witnesses of the claim, beside
-            the numbers of worlds and of runs.
+        events: the names of witnesses of the check that become witnesses of the claim, too.
         figures: the numbers that the sentence names.
 
     Raises:
@@ -303,9 +306,10 @@ class CheckedClaim(Sentence):
     def standing(self) -> ClaimStanding:
         """The comparison of verdict, witnesses and figures with the expected ones, in a word.
 
+        If the found verdict is ``vacuous`` or ``not-checked``, the standing is the same word,
+        whatever verdict is expected: nothing is compared.  Otherwise there are two cases.
         ``as-expected``: all are equal.  ``unexpected``: at least one differs, or the check raised
-        an error.  ``vacuous`` and ``not-checked``: the found verdict is the same word, and nothing
-        is compared.
+        an error of any kind.
         """
         if self.verdict in ("not-checked", "vacuous"):
             return self.verdict
@@ -473,7 +477,8 @@ def _entries(
 def entry_of(claim: Claim, check: ClaimFunction, means: Means) -> CheckedClaim:
     """Check a claim and return its entry in the report.
 
-    If the check takes at most :data:`QUICK` seconds, it is made twice.
+    A claim must have the same result each time.  So if the check took at most :data:`QUICK`
+    seconds, it is made a second time, and the two results are compared.
 
     Args:
         claim: the claim.
@@ -501,8 +506,9 @@ def entry_of(claim: Claim, check: ClaimFunction, means: Means) -> CheckedClaim:
 def _outcome_of(claim: Claim, check: ClaimFunction, means: Means) -> Returned:
     """The result of one call of ``check``, which is the claim's function, with ``means``.
 
-    If a package is missing, the result is a :class:`NotChecked`.  Any other exception that the
-    function raises is returned as the result.
+    If the function raises :class:`NotInstalled`, because the Python package of an extra of
+    allworlds is missing, the result is a :class:`NotChecked`.  If the function raises another
+    exception, the result is this exception.
 
     Raises:
         InputError: if the function ends the process, or returns neither a Found nor a NotChecked.

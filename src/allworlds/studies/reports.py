@@ -31,11 +31,11 @@ class EndedReport(Report):
 
     @property
     def undecided(self) -> bool:
-        """Whether the job left out work that could change the verdict.
+        """Whether work was left out that could change the verdict; an interruption is not counted.
 
-        By default this is so if ``ending`` is ``Stopped``: the job ended early, for example at the
-        time limit, at the loss of a cluster, or after enough findings.  If the user interrupted the
-        job, the value is false; see :attr:`interrupted`.
+        By default the value is true if ``ending`` is ``Stopped``: the job ended early, for example
+        at the time limit, at the loss of a cluster, or after enough findings.  If the user
+        interrupted the job, the property :attr:`interrupted` is true, and this one is false.
         """
         return isinstance(self.ending, outcome.Stopped)
 

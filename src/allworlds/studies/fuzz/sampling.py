@@ -91,9 +91,10 @@ class SmallBatch(Struct, frozen=True):
     def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[MapWithPlaces]:
         """Yield for each run a random map with few edges, and a random place of the lighthouse.
 
-        The maps have at most :data:`SMALL` edges.  Otherwise the parameters and the items are as in
-        :meth:`Batch.placed`.  If the condition of ``extent`` is true of too few maps, this method
-        yields fewer maps, or none.
+        There are :data:`SMALL_RUNS` runs.  The maps have at most :data:`SMALL` edges.  Apart from
+        this, the maps, the items and the parameters are those of :meth:`Batch.placed`.  If no map
+        for a run is found, because the condition of ``extent`` is true of too few small maps, this
+        method ends without an error; nothing is yielded for this run and for later ones.
         """
         small = replace(extent, edges=min(SMALL, extent.levels[-1]))
         with suppress(InputError):  # the condition may admit none
@@ -119,13 +120,17 @@ class Batch(Struct, frozen=True):
         return f"{self.seed}/{self.first}"
 
     def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[MapWithPlaces]:
-        """Yield for each run a random map, and a random place of the lighthouse with its number.
+        """Yield for each run a random map, and a list with a random place of the lighthouse.
 
-        The place is the only entry of a list; the list is empty if the map has no place.
+        An item is a pair: the map, and a list.  The list has one entry, which is also a pair: the
+        number of the place, and the lighthouse at this place.  If the map has no place, the list is
+        empty.
+
         The parts of the mixture take turns.  Each part has its own sequence of random maps, which
         does not depend on the other parts.  A map is rejected, and another one is drawn, if the map
-        is too small, is not in the class or does not satisfy the condition.  If many maps are
-        rejected for a run, the part ``histories`` draws the map of this run.
+        is too small, is not in the class or does not satisfy the condition.  After
+        :data:`REJECTED_BEFORE_HISTORIES` rejected maps for a run, the part ``histories`` draws for
+        this run; its maps are rejected, too, if they do not satisfy the condition.
 
         Args:
             extent: the class, the condition and the largest number of edges of the maps.
@@ -146,9 +151,10 @@ class Batch(Struct, frozen=True):
     def _drawn(self, extent: Extent, part: str, random: Random) -> CombinatorialMap:
         """A random map of the class, with at least ``min_edges`` edges, that meets the condition.
 
-        A drawn map that is too small, not in the class, or fails the condition is rejected, and
-        another map is drawn.  After :data:`REJECTED_BEFORE_HISTORIES` rejected maps the part
-        ``histories`` draws; without a condition its first map is never rejected.
+        A drawn map is rejected, and another map is drawn, if the map is too small, is not in the
+        class or fails the condition.  After :data:`REJECTED_BEFORE_HISTORIES` rejected maps the
+        part ``histories`` draws in place of ``part``.  Every map of ``histories`` is in the class
+        and has enough edges, so only the condition can reject it.
 
         Args:
             extent: the class, the condition and the largest number of edges.
@@ -156,8 +162,8 @@ class Batch(Struct, frozen=True):
             random: the source of the random numbers.
 
         Raises:
-            InputError: if ``extent`` has a condition, and more than
-                :data:`REJECTED_BEFORE_REFUSAL` maps were rejected.
+            InputError: if ``extent`` has a condition, and more than :data:`REJECTED_BEFORE_REFUSAL`
+                maps were rejected.
         """
         generators = generator(part, extent), generator(HISTORIES, extent)
         size = random.randint(self.min_edges, extent.levels[-1])

@@ -41,14 +41,17 @@ def shrink(finding: Finding, scope: Scope, refute: Refute) -> Iterator[Finding]:
     of vertices decides, then the code, then the number of the lighthouse's place.
 
     First, pieces of the map are removed: half of the map, a quarter and so on.  If the world has at
-    most :data:`EDGES_OF_FINE_STEPS` edges, small steps follow.  A small step tries *neighbours* of
-    the present world.  First it tries the maps that have one edge less, because one edge of the
-    present map is deleted or contracted.  If none of them refutes, the step tries the maps with as
-    many edges: the present map, and this map with one dart moved to another position.  Each of
-    these maps is combined with every start and every place of the lighthouse; all worlds that arise
-    so, and are smaller than the present world, are its neighbours.  The smallest refuting neighbour
-    is the present world of the next step, so the result depends on ``finding`` alone.  The steps
-    end if no neighbour refutes.
+    most :data:`EDGES_OF_FINE_STEPS` edges, small steps follow.
+
+    A small step tries *neighbours* of the present world, in two groups.  The maps of the first
+    group arise from the present map by deletion or contraction of one edge.  If none of these
+    neighbours refutes, the second group is tried.  Its maps have as many edges as the present map:
+    the present map itself, and every map that arises from it if one dart is moved to another
+    position.  In both groups each map is combined with every start and every place of the
+    lighthouse.  Neighbours are those of these worlds that are smaller than the present world; in
+    each group only the :data:`NEIGHBOURS_PER_STEP` smallest ones are tried.  The smallest refuting
+    neighbour of the group is the present world of the next step, so the result depends on
+    ``finding`` alone.  The small steps end if no tried neighbour refutes.
 
     A smaller world that is no neighbour may refute, too.  So at last all smaller worlds with at
     most :data:`EDGES_TRIED_IN_FULL` edges are tried.
@@ -57,11 +60,11 @@ def shrink(finding: Finding, scope: Scope, refute: Refute) -> Iterator[Finding]:
         finding: the finding to begin with; it is not yielded itself.
         scope: the class, the condition and the kind of lighthouse that the smaller worlds must
             have.
-        refute: the function that runs the explorer in some worlds, and returns the smallest
-            finding there.
+        refute: the function that runs the explorer in some worlds, and returns the smallest finding
+            there.
 
     Cost: O(m^3) runs for each small step in a world with m edges, but at most
-    :data:`NEIGHBOURS_PER_STEP` runs in maps with m - 1 edges, and as many in maps with m edges.
+    :data:`NEIGHBOURS_PER_STEP` runs for each of the two groups.
     """
     for less in _with_pieces_less(finding, scope, refute):
         yield (finding := less)
@@ -110,16 +113,19 @@ LARGE_CHUNKS_PER_WAVE = 2
 def _with_pieces_less(finding: Finding, scope: Scope, refute: Refute) -> Iterator[Finding]:
     """Yield findings in smaller and smaller worlds, by deleting or contracting one piece at a time.
 
-    A piece is a set of consecutive edges in breadth-first order from the start; the farthest piece
-    comes first.  While the removal of a piece leaves a refuting world, further pieces of its size
-    are tried; then pieces of half the size.  In the smaller map the lighthouse keeps the number of
-    its place; if the smaller map has no place with this number, the remainder of its division by
-    the number of places is taken.  A map without any place is left out.
+    A piece is a set of consecutive edges in breadth-first order from the start.  The map is cut
+    into pieces of one size, at first half of the map.  The pieces are tried one after the other,
+    the farthest first: each is deleted, and it is contracted.  If one of the smaller worlds
+    refutes, this world is cut into pieces of the same size, and these are tried.  If no piece of
+    this size can be removed, pieces of half the size are tried.
+
+    In the smaller map the lighthouse keeps the number of its place; if the smaller map has no place
+    with this number, the remainder of its division by the number of places is taken.  A map without
+    any place is left out.
 
     The parameters are those of :func:`shrink`.
 
-    Cost: O(m) runs to remove a piece, or to find that no piece of a size can be removed.  If a
-    world with few edges refutes, all removals together take about O(m log m) runs.
+    Cost: O(m) runs to remove a piece, or to find that no piece of a size can be removed.
     """
     piece = finding.world.map.edge_count // 2
     while piece:
@@ -159,8 +165,9 @@ def _smallest(
 ) -> Finding | None:
     """The smallest finding of the first wave that has a finding; None if no wave has one.
 
-    A chunk is some worlds, and a wave is ``at_once`` chunks, in which ``refute`` runs the explorer.
-    After a wave with a finding, no further wave is tried.
+    A chunk is some worlds, and a wave is ``at_once`` chunks.  ``refute`` gets all chunks of a wave
+    in one call, runs the explorer there, and returns the smallest finding in these chunks.  After a
+    wave with a finding, no further wave is tried.
     """
     waves = (refute(chunks[i : i + at_once]) for i in range(0, len(chunks), at_once))
     return next((found for found in waves if found), None)
@@ -191,11 +198,12 @@ def placed_rootings(
 ) -> Iterator[tuple[tuple[int, int, Code, int], tuple[world.World, int]]]:
     """Yield the worlds with one of ``maps``: one for each start and each place of the lighthouse.
 
-    Yield for each world a key, and the world with the number of its lighthouse's place; the keys
-    ascend.  A key has four entries: the numbers of edges and of vertices, the code of the rooted
-    map, and the number of the place.  Of worlds that are isomorphic only one is yielded.  Maps that
-    are not in the class of ``scope``, or do not satisfy its condition, are left out; the bounds of
-    ``scope`` on edges and vertices have no effect.
+    An item is a pair: a key, and a second pair, which consists of a world and the number of its
+    lighthouse's place.  A key has four entries: the numbers of edges and of vertices, the code of
+    the rooted map, and the number of the place.  The keys ascend.  Of worlds that are isomorphic
+    only one is yielded.  Maps that are not in the class of ``scope``, or do not satisfy its
+    condition, are left out.  The bounds of ``scope`` on edges and vertices are not checked; the
+    caller decides how large ``maps`` are.
     """
     extent = scope.extent
     rootings = {
@@ -222,12 +230,13 @@ def in_chunks(
 
 
 def smallest_from(finding: Finding, workers: Transport, scope: Scope) -> Finding:
-    """The smallest finding that :func:`shrink` reaches from ``finding`` before the time is up.
+    """The smallest finding that :func:`shrink` reaches from ``finding`` before the job's deadline.
 
     In some worlds a wrong explorer walks until its budget is used up, which takes much time.  So a
-    run in a smaller world is cut off if it is much longer than the run of the finding (see
-    :data:`TIMES_AS_FAR`), and then refutes nothing.  If the broken law is ``budget``, no run is cut
-    off before its budget is used up.
+    run in a smaller world is cut off if it is much longer than the run of the smallest finding so
+    far (see :data:`TIMES_AS_FAR`); a run that is cut off so refutes nothing.  For a finding of the
+    law ``budget`` this limit does not hold, because a run breaks this law only if it uses up its
+    budget.
 
     Args:
         finding: the finding to begin with; it is the result if no smaller world refutes.
