@@ -215,12 +215,18 @@ def conformance(
 ) -> list[Part]:
     """The tests that an explorer should pass, as parts, from the cheapest to the most expensive.
 
-    ``known-hard-maps``: every start and marker in maps that have refuted explorers before.
-    ``edges-1``, ``edges-2``, ...: every world with that many edges, under every law that applies.
-    ``every-schedule``: all sequences of choices in worlds with at most 2 edges, for a function that
-    takes ``choices``.  ``drawn-maps``: every start and marker in maps that the library Hypothesis
-    draws; with a condition ``where``, one start and marker in each of some random maps that meet
-    the condition.  If a drawn map refutes the explorer, smaller maps are tried.  As tests::
+    ``known-hard-maps``: the maps of :func:`known_hard_maps`; the explorer starts at every dart,
+    with every place of the lighthouse.  ``edges-1``, ``edges-2``, ...: a check of all worlds with
+    at most that many edges.  ``every-schedule``: all sequences of choices in worlds with at most 2
+    edges; this part exists only if the explorer is a function with a parameter ``choices``.
+    ``drawn-maps``: maps that the library Hypothesis draws, with every start and every place of the
+    lighthouse.
+
+    With a condition ``where`` Hypothesis is not used: in the part ``drawn-maps`` the function
+    :func:`allworlds.fuzz` draws maps that meet the condition, and tries one random start and one
+    random place in each.  If a map refutes the explorer, smaller maps are tried, too.
+
+    A file of tests can contain::
 
         @pytest.mark.parametrize("part", conformance(my_explorer, edges=4), ids=str)
         def test_my_explorer_conforms(part):
@@ -315,10 +321,10 @@ def _drawn(explore: Explorer, count: int, edges: int, options: Mapping[str, Any]
 
 
 def _of_maps(options: Mapping[str, Any]) -> dict[str, Any]:
-    """Those of the ``options`` of a check that also have a meaning for runs in given maps.
+    """Those of the ``options`` of a check, by name, that are fields of :class:`MapsRequest`, too.
 
-    These are the options that are fields of :class:`MapsRequest`.  Others, such as the bound
-    ``edges``, are left out.  Options and result map the name of an option to its value.
+    A :class:`MapsRequest` asks for runs in maps that are given one by one.  Other options, such as
+    the bound ``edges``, have no meaning there, and are left out.
     """
     named = {field.name for field in fields(MapsRequest)}
     return {key: options[key] for key in options if key in named}

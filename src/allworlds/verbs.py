@@ -1,9 +1,10 @@
 """**The** table of the verbs: the name, the function and the summary of each verb.
 
 The command line and the tests are derived from this table.  A new verb needs an entry in this
-table, and a module with its request, its function and its document.  If its report has content of
-its own kind, it also needs a function in ``reports.content``; if it does more than answer a
-request, also one in ``cli``.
+table, and a module with its request, its function and its document.  By default a report is shown
+by the function ``plain_content``; a report that this function does not show well needs a function
+of its own in ``reports.content``.  A verb that does more than answer a request also needs a
+function in ``cli``.
 """
 
 from dataclasses import dataclass
@@ -28,15 +29,16 @@ class Verb:
         document: the name of the schema of the verb's document.
         summary: the line about the verb in the help of ``allworlds``.
         has: the kinds of content, such as :data:`ROWS` and :data:`FINDINGS`, that the verb's
-            reports have.  The option ``-o`` of the verb writes each kind of file that shows at
-            least one of these contents.
+            reports have.  Some file formats show only certain kinds of content; the option ``-o``
+            of the verb accepts such a format only if it shows one of the kinds in ``has``.
         swept: whether the job consists of units, which a run directory keeps.
         python: the name of the verb's function below ``allworlds``, if it differs from ``name``.
         panel: the heading under which the verb stands in the help; empty for a verb in a group
             (:data:`GROUPS`), which has the heading of the group.
         example: the arguments and options of the example with which the help of the verb begins.
-        help: the help of the verb after the example.  If ``help`` is empty, the docstring of the
-            verb's function in ``cli`` is the whole help, and ``example`` is not used.
+        help: the text of the verb's help that follows the example.  If ``help`` is empty, the
+            docstring of the verb's function in ``cli`` is the whole help, and ``example`` is not
+            used.
     """
 
     name: str
@@ -283,9 +285,10 @@ BY_NAME = {verb.name: verb for verb in VERBS}
 
 @dataclass(frozen=True, slots=True)
 class Group:
-    """A group of verbs in the help: the verbs of two words with the same first word.
+    """A group of verbs, which has a help of its own.
 
-    :data:`ROOT` is the one group of all verbs, for the help of ``allworlds`` itself.
+    The groups in :data:`GROUPS` hold verbs of two words: all verbs with the same first word.  The
+    group :data:`ROOT` stands for ``allworlds`` itself, and holds all verbs.
 
     Attributes:
         example: the command with which the help of the group begins.

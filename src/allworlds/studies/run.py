@@ -1,9 +1,10 @@
 """One run: ``run`` plays it in one world, ``replay`` plays the run of a finding again.
 
 A replayed finding may come from a corpus, which is a collection of findings.  In ``play`` the user
-is the robot: a page compares the user's cost with that of Algorithm 1.  In Python a function of the
-user chooses the actions; here this function is called the *player*, a word that means in other
-modules a process that runs an explorer.
+is the robot, in the terminal or in a web page; the user's cost is compared with that of Algorithm
+1.  In Python, ``play`` takes a function of the user that chooses the actions.  The parameter of
+``play`` for this function has the name ``player``; elsewhere a player is a process that runs an
+explorer.
 """
 
 import os
@@ -192,8 +193,9 @@ class Replay(Report):
     def outcome(self) -> Literal["reproduced", "fixed", "not-reproduced"]:
         """``reproduced``: a law is broken; ``fixed``: none is; ``not-reproduced``: undecided.
 
-        The outcome is undecided if the law of the recorded finding is ``nondeterministic``, the
-        explorer is a user's, and no run breaks a law now: the next run might break one.
+        Any broken law counts, not only the recorded one.  If no run breaks a law now, the outcome
+        is undecided in one case: the recorded law is ``nondeterministic``, and the explorer is a
+        user's.  Then a further run might break a law.
         """
         if self.again.finding:
             return "reproduced"
@@ -211,19 +213,21 @@ class Replay(Report):
 def replay(request: ReplayRequest) -> Replay | TeamReplay:
     """Run an explorer again in the world of a finding, under the rules of the finding.
 
-    Without ``explore`` the recorded explorer runs, whose code may have changed.  At each choice the
-    recorded explorer gets the option with the recorded index; if there are fewer options now, the
-    recorded policy chooses.  For any other explorer the recorded policy makes all choices.  For a
-    finding of the law ``nondeterministic`` the run is made up to :data:`TRIES` times.  For a
-    finding of a team of robots, the world of the finding is searched again.
+    If there is no ``explore``, or if it names the recorded explorer, the recorded explorer runs;
+    its code may have changed.  At each choice it gets the option with the recorded index; if there
+    are fewer options now, the recorded policy chooses.  If ``explore`` is another explorer, the
+    recorded policy makes all choices.  For a finding of the law ``nondeterministic`` the run is
+    made up to :data:`TRIES` times.  For a finding of a team of robots, the world of the finding is
+    searched again.
 
     If the finding has choices, but the function of the recorded explorer has no parameter
-    ``choices`` any more, the explorer cannot repeat the run.  This is an error, unless ``explore``
-    names the same explorer: then it runs without choices.
+    ``choices`` any more, this explorer cannot repeat the run.  Without ``explore`` this is an
+    error.  If ``explore`` names the recorded explorer, it runs, and makes no choices.
 
     Raises:
         InputError: if the explorer cannot be found; if the finding's transcript is no walk in the
-            finding's world; or if the recorded explorer has no parameter ``choices`` any more.
+            finding's world; or, without ``explore``, if the recorded explorer has no parameter
+            ``choices`` for the choices of the finding.
     """
     finding, explore = request.finding, request.explore
     if isinstance(finding, TeamFinding):
@@ -298,7 +302,9 @@ the action was legal.  It returns the next action, or None to end the game.
 class Play(Report, kw_only=True):
     """Report of 'play'.
 
-    A world, and the walk in it of the user, or of the user's function, as the robot.
+    A world, and a walk in this world.  The user, or the user's function, was the robot.  If the
+    user plays in a page, the report does not have the user's walk: ``transcript`` has only the
+    start.
     """
 
     path: Annotated[str | None, about("the page for playing; null: played in the terminal")] = None

@@ -62,7 +62,7 @@ ToldGate: TypeAlias = Annotated[
 
 
 class PortionReport(EndedReport):
-    """A report about worlds, or about a shard of these worlds.
+    """A report of a job that goes through worlds: of the whole job, or of one shard of it.
 
     ``request`` is the answered request; ``extent`` is the class of maps with its bounds, or the
     given maps.

@@ -46,9 +46,12 @@ class TeamReplay(Report):
     def outcome(self) -> Literal["reproduced", "fixed", "not-reproduced"]:
         """``reproduced``: a law is broken; ``fixed``: none is; ``not-reproduced``: undecided.
 
-        The outcome is undecided if the new search finds no broken law, but its verdict is not
-        ``holds``: for example, the budget cuts off a run, or a time limit stops the search.  A
-        finding of the law ``budget`` is also reproduced if the budget cuts off a run.
+        Any broken law counts, not only the recorded one.  If the new search finds no broken law,
+        there are three cases.  First: the recorded law is ``budget``, and the budget cuts off a run
+        again.  Such a run breaks a law only under the option ``within``, but here it counts as
+        ``reproduced``.  Second: the verdict of the new search is ``holds``.  The finding is fixed.
+        Third: the verdict is another one, for example because a time limit stops the search.  The
+        outcome is undecided.
         """
         if self.again.findings:
             return "reproduced"

@@ -346,10 +346,15 @@ class TeamRequest(
 def _one(
     name: str, map_: combinatorial.CombinatorialMap, starts: Sequence[int] | None
 ) -> GivenMaps:
-    """Make given maps of one map alone; ``name`` is the map's name in the request.
+    """Make given maps that consist of one map; ``name`` is the map's name in the request.
 
-    The map is taken with every dart as its root; if an automorphism takes one root to another, only
-    the first of these roots is used.  If starts are given, the first start is the only root.
+    If ``starts`` is None, every dart of the map is a root; if an automorphism takes one root to
+    another, only the first of these roots is used.  Otherwise ``starts`` has the dart of each robot
+    at the start.  Then the dart of the first robot is the only root; the other darts have no
+    effect, but must be darts of the map.
+
+    Raises:
+        InputError: for a start that is no dart of the map.
     """
     if starts is not None:
         renamed(map_, starts)

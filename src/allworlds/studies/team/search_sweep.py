@@ -195,7 +195,10 @@ class TeamSweep(sweep.Sweep[TeamTally, TeamReport]):
 
     @override
     def leave(self, level: units.SweptLevel, total: TeamTally) -> None:
-        """Keep the findings in ``total``, the tally of an unfinished level, and drop its counts."""
+        """Add the findings of an unfinished level to those of the job; its counts are dropped.
+
+        ``total`` is the tally of the part of the level that was done.
+        """
         for found in total.findings:
             self._tally.find(doc.replace(found, minimal=False))
 
@@ -302,21 +305,21 @@ def is_inside(finding: TeamFinding, scope: TeamScope) -> bool:
 
 
 def _place(map_: CombinatorialMap, starts: Sequence[int]) -> Any:
-    """A value for a map with starts.
+    """A value that says where the robots start in a map, whatever the names of the darts are.
 
-    Two such values are equal if and only if an isomorphism of the maps takes the starts of one to
-    the starts of the other.
+    ``starts`` has the dart of each robot at the start.  Two such values are equal if and only if an
+    isomorphism of the two maps takes the start of each robot to the start of the same robot.
     """
     return rooted_code(map_.sigma, map_.alpha, starts[0]), renamed(map_, starts)
 
 
 def _rooted_like(map_: CombinatorialMap, extent: Extent) -> Iterator[CombinatorialMap]:
-    """Yield the rooted maps of an extent that may be ``map_`` with one of its darts as root.
+    """Yield all rooted maps of an extent that are ``map_`` with a root, and perhaps other maps.
 
-    If the extent is a class of maps, the rootings of ``map_`` are yielded, each once up to
-    isomorphism; none is yielded if ``map_`` is not in the extent.  If the extent consists of given
-    maps, all given maps with as many edges as ``map_`` are yielded.  Some of these may be other
-    maps, so the caller must still compare each of them with ``map_``.
+    First: the extent is a class of maps.  If ``map_`` is in the extent, it is yielded with each of
+    its darts as the root, once for each class of isomorphic rooted maps; otherwise nothing is
+    yielded.  Second: the extent consists of given maps.  All given maps with as many edges as
+    ``map_`` are yielded, without a comparison with ``map_``; so the caller must compare them.
     """
     if extent.given is not None:
         for unit in units.units_of_level(extent, map_.edge_count, units.WHOLE):

@@ -91,7 +91,10 @@ class TeamReport(PortionReport, kw_only=True):
 
     @doc.computed
     def verdict(self) -> outcome.Verdict:
-        """The verdict, which is about this scope alone."""
+        """The verdict, which is about this scope alone.
+
+        The scope is the value of :attr:`scope`.
+        """
         return self.facts.verdict
 
     @doc.computed
@@ -136,8 +139,10 @@ class TeamReport(PortionReport, kw_only=True):
     def unfinished(self) -> TeamFinding | None:
         """A run that the budget cuts off, with the fewest events; null: no run is cut off.
 
-        The run is in the smallest world with such a run.  An event is a step of one robot or of
-        several robots at once.
+        The run is in the smallest world in which a run is cut off; of the cut-off runs in this
+        world, it has the fewest events.  An event is here a step of one robot, or of several robots
+        at once.  A cut-off run leaves the verdict open.  Only under the option ``within`` does it
+        break a law; then it is also a finding.
         """
         return next(iter(self.tally.unfinished), None)
 

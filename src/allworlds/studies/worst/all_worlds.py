@@ -166,9 +166,11 @@ class WorstReport(SweptReport, kw_only=True):
 
     The worst and best costs of Algorithm 1, by size.
 
-    ``disagreement`` names a size (edges and vertices) with at least one map according to the
-    independent source, but without a map in the search; the text is empty if there is no such size.
-    ``subject`` is Algorithm 1, ``rules`` are the rules of the replayed runs.
+    Each row is compared with an independent source of counts.  A size (edges and vertices) without
+    maps in the search has no row.  If the source counts maps of such a size, ``disagreement`` is a
+    sentence that names the size; otherwise this text is empty.  ``subject`` is Algorithm 1.  For
+    each row a run with the worst cost is played in the Python engine; ``rules`` are the rules of
+    these runs.
     """
 
     rows: Annotated[tuple[WorstRow, ...], doc.about("one for each (edges, vertices), ascending")]
@@ -315,10 +317,10 @@ class SchedulesSweep(sweep.Sweep["ScheduleCostsBySize", WorstReport]):
     def _replayed(self, world: World, bound: int) -> tuple[tuple[int, ...], int | None]:
         """Choices that attain the worst cost in a world, and the cost of a run with these choices.
 
-        The run is played in the Python engine; its cost is None if the run breaks a law.  If
-        Algorithm 1 gives no answer, there are no choices, and the cost is None.  ``bound`` is the
-        paper's bound on the traversals in this world; a run without an answer is stopped after many
-        more traversals.
+        The run is played in the Python engine; its cost is None if the run breaks a law.  ``bound``
+        is the paper's bound on the traversals in this world; a run is cut off after
+        ``default_step_budget(bound)`` traversals.  If the run ends without an answer, which shows a
+        fault, there are no choices, and the cost is None.
         """
         schedules = EverySchedule(world.map, world.start, self.request.transit)
         planned = Planned(schedules.most_expensive_picks())

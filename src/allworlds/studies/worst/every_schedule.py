@@ -3,11 +3,15 @@
 A pass is one turn of the loop of Algorithm 1: the robot walks to an open dart e of the explored
 part S, traverses e, and tests hypotheses until it knows where it is.  U is the set of open darts.
 
-In a fixed world the set of explored edges determines S.  Between two passes the state of the robot
-is the set of explored edges and the vertex where the robot stands; the costs of rejected hypotheses
-add up in any order.  So the worst and the best cost follow by dynamic programming, backwards from
-the completely explored world.  S is described by darts of the world; by the paper's invariant I-1
-the world contains S.
+The worst and the best cost are found by dynamic programming, backwards from the completely explored
+world.  This is possible for two reasons.  First: between two passes, all that matters for the later
+costs is the set of explored edges, which determines S, and the vertex where the robot stands.
+Second: the cost of a test does not depend on the tests before it.  So the most expensive order
+tests all false hypotheses first; the cheapest order tests the true hypothesis first, if there is
+one.
+
+By the paper's invariant I-1, S is a part of the world.  So this module uses the names of the
+world's darts for the darts of S, too.
 
 Source: Algorithm 1, Section IV.
 """
@@ -52,14 +56,15 @@ class TestCost(Struct, frozen=True):
 
 
 class PassCosts(Struct, frozen=True):
-    """The costs of one pass, without the way to the dart that the pass takes.
+    """The tests of one pass, in its worst and in its best case, and the state after it.
 
-    In a pass Algorithm 1 chooses the order of the hypotheses, and for each test a path to v0.
+    In a pass Algorithm 1 chooses the order of the hypotheses, and for each test a path to v0.  The
+    other costs of a pass, which are not here, are the way to the dart e and one traversal of e.
 
     Attributes:
         dart: the dart e that the pass takes from U.
-        worst: the tests in a pass whose choices make the pass as expensive as possible.
-        best: the tests in a pass whose choices make the pass as cheap as possible.
+        worst: the tests that are made if Algorithm 1 chooses so that the tests cost the most.
+        best: the tests that are made if Algorithm 1 chooses so that the tests cost the least.
         explored: the explored darts after the pass.
         robot: the robot's vertex after the pass.
     """
@@ -120,10 +125,11 @@ class EverySchedule:
         return self._best(frozenset(), self._v0)
 
     def most_expensive_picks(self) -> list[int]:
-        """All choices of a most expensive schedule, as darts of S in the order of the choices.
+        """All choices of a most expensive schedule, in their order; each choice is a dart of S.
 
-        In each pass Algorithm 1 chooses the dart e, the darts of the path to e, and for each test
-        the hypothesis and the darts of the path to v0.
+        The choices of a pass are: the dart e; each dart of the path to e; and for each test the
+        hypothesis, and each dart of the path to v0.  The numbers of the darts are those in S, not
+        those in the world; see :meth:`_number`.
         """
         numbers: dict[Dart, int] = {}
         self._number(numbers, self._start)
@@ -172,10 +178,10 @@ class EverySchedule:
         return max((self._onward(explored, robot, p) for p in self._passes(explored)), default=0)
 
     def _onward(self, explored: Explored, robot: int, chosen: PassCosts) -> int:
-        """The largest sum of the costs of the pass ``chosen`` and of all later passes.
+        """The largest cost of the rest of a run whose next pass is ``chosen``.
 
-        Before this pass, the darts ``explored`` are explored, and the robot is at the vertex
-        ``robot``.  The way from this vertex to the dart that the pass takes is included.
+        The rest consists of the way to the dart e of this pass, the pass itself, and all later
+        passes.  It begins at the vertex ``robot``; the darts ``explored`` are explored before.
         """
         return self._most(explored, robot, chosen) + self._worst(chosen.explored, chosen.robot)
 
