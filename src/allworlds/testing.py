@@ -321,7 +321,7 @@ def _drawn(explore: Explorer, count: int, edges: int, options: Mapping[str, Any]
 
 
 def _of_maps(options: Mapping[str, Any]) -> dict[str, Any]:
-    """Those of the ``options`` of a check, by name, that are fields of :class:`MapsRequest`, too.
+    """Those of the ``options`` of a check, by name, that are fields of :class:`MapsRequest`.
 
     A :class:`MapsRequest` asks for runs in maps that are given one by one.  Other options, such as
     the bound ``edges``, have no meaning there, and are left out.

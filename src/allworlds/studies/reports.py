@@ -31,7 +31,7 @@ class EndedReport(Report):
 
     @property
     def undecided(self) -> bool:
-        """Whether work was left out that could change the verdict; an interruption is not counted.
+        """Whether work was left out that could change the verdict; interruptions do not count.
 
         By default the value is true if ``ending`` is ``Stopped``: the job ended early, for example
         at the time limit, at the loss of a cluster, or after enough findings.  If the user

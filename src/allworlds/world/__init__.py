@@ -12,8 +12,9 @@
     the forms of a WORLD on the command line and in Python; the worlds, findings and pairs of
     worlds that come with the package;
 ``selection``
-    the options for the lighthouse and for the condition on maps; each of the two may be a user's
-    program, which is tried on small maps first; the function that yields all worlds of a class;
+    the options that choose the lighthouse and the condition on maps; the function that yields all
+    worlds of a class.  A lighthouse or a condition may be a user's program; to find mistakes, the
+    program is tried on small maps before it is used;
 ``bisimulation``
     the checker of proofs that worlds are indistinguishable.
 """

@@ -244,8 +244,9 @@ def _is_json(text: str) -> bool:
 class WorldOptions(Request):
     """The part of a request that says more about the world, or names it by a family.
 
-    A request without a WORLD (a text that means a world) names a family here.  The other options
-    fix what a WORLD or a family leaves open: random choices, the lighthouse, and its place.
+    A request names its world by a WORLD, which is a text that means a world, or by the option
+    ``family``.  The other options choose what a WORLD or a family does not say: the edges to remove
+    and the random choices of a family, the lighthouse, and the lighthouse's place.
     """
 
     family: Annotated[str | None, Option(SCOPE, "F", f"One world of a family: {FORMS}.")] = None

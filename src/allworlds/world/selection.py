@@ -99,17 +99,19 @@ class OwnCondition(Struct, frozen=True):
 
 
 def a_condition(given: object, *, local: bool = False) -> Condition | None:
-    """The condition that a name or a function means, or several of these together.
+    """The condition that a name or a function means; of several, that all of them are true.
 
     A user's function is tried on small maps first.
 
     Args:
-        given: names, functions, or conditions; None for no condition.
-        local: whether only this process uses the condition, so that any function is legal.
+        given: a name, a function or a condition, or a list of these; or a text of several names
+            with ``and`` between.  None for no condition.
+        local: whether only this process uses the condition.  Then any function is legal; otherwise
+            a function must be one that other processes can import.
 
     Raises:
-        InputError: naming the legal conditions, or a map on which the function returns once True,
-            once False.
+        InputError: naming the legal conditions, or a map about which the function says both True
+            and False: in two calls, or after the darts are renamed.
     """
     if given is None:
         return None
@@ -250,14 +252,16 @@ def worlds(
 ) -> Iterator[World]:
     """Yield all worlds of a class, in a fixed order.
 
+    A rooted map in which the lighthouse has no place makes no world.
+
     Args:
-        edges: the largest number of edges.  Without any bound it is 5; in the simple classes a
-            bound on the vertices suffices.
+        edges: the largest number of edges.  If neither bound is given, it is 5.  If only a bound on
+            the vertices is given, the class must be ``simple`` or ``planar-simple``.
         vertices: the largest number of vertices; None for no bound.
         map_class: the name of a class of maps, such as ``simple``.
         lighthouse: the kind of lighthouse.
-        places: ``first`` yields one world for each rooted map (reports count worlds so); ``all``
-            yields one for each place of the lighthouse (reports count runs so).
+        places: ``first``: only the first place of the lighthouse in each rooted map; ``all``: every
+            place.
         where: a condition on the maps: a name as on the command line, or a function that gets a map
             and returns whether the map meets the condition.
 

@@ -230,7 +230,7 @@ def in_chunks(
 
 
 def smallest_from(finding: Finding, workers: Transport, scope: Scope) -> Finding:
-    """The smallest finding that :func:`shrink` reaches from ``finding`` before the job's deadline.
+    """The smallest finding that :func:`shrink` reaches from ``finding`` before the deadline.
 
     In some worlds a wrong explorer walks until its budget is used up, which takes much time.  So a
     run in a smaller world is cut off if it is much longer than the run of the smallest finding so

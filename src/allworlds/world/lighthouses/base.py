@@ -52,7 +52,11 @@ class Sensing:
 
     @property
     def marks_v0(self) -> bool:
-        """Whether v0 has one mark, and no other vertex has exactly one; so the percept shows v0."""
+        """Whether a percept with one mark shows the robot that it is at v0.
+
+        Then the robot senses one mark at v0; at every other vertex it senses no mark, or more than
+        one.
+        """
         return self.where in (Where.AT_V0, Where.AT_V0_AND_V1)
 
     @property
@@ -98,23 +102,25 @@ class Lighthouse(ABC):
 
     A field whose default is an integer, a boolean or a text is an option: its value can be chosen
     on the command line.  In :meth:`places`, ``cls.size`` is the chosen value of an option ``size``,
-    and ``cls(...)`` makes a lighthouse with this value in its field.  So read the value as
-    ``cls.size``, not by ``dataclasses.fields(cls)``, which has the default of the user's class.
+    and ``cls(...)`` makes a lighthouse with this value in its field.  Do not read the value from
+    ``dataclasses.fields(cls)``: the default in there is not changed by the user's choice.
 
     Attributes:
         kind: the name of the kind, on the command line and in files.
         default_bound: the bound on the traversals that is checked by default.
-        folds: whether the log of a correct explorer determines the map, because each arrival at v0
-            determines the robot's dart; then the law ``folding`` applies.
-        leaves_open: whether an explorer may answer without a map if several worlds look alike: its
-            answer is then the quotient, which these worlds have in common, with its start.
+        folds: whether the robot knows its dart at each arrival at v0.  Then the log of a correct
+            explorer determines the map, and the law ``folding`` applies.
+        leaves_open: whether an explorer may answer without a map if several worlds look alike.  The
+            answer is then the quotient that these worlds have in common, and the robot's dart in
+            it.
         gives_marks: whether the lighthouse can put marks into percepts; in a composed lighthouse at
             most one part may do so.
         gives_bearings: whether the lighthouse can put a bearing into percepts; in a composed
             lighthouse at most one part may do so.
         leaves_marks: whether the robot can leave marks.
-        static: whether percepts never change by the robot's actions; by default true if the class
-            has none of the :data:`ACTING` methods.
+        static: whether the percepts stay the same whatever the robot does; by default true if the
+            class defines none of the methods ``acted``, ``in_hand``, ``left_marks`` and
+            ``refusal``.
         labels_vertices: whether the marks are the labels of vertices, not markers.
         code: the user's program with the class; None for a class of this program.
         chosen: the options that were given to the kind, with their values.
@@ -187,7 +193,7 @@ class Lighthouse(ABC):
         return tuple(self.sensed(map_, here) for here in map_.darts)
 
     def relabelled(self, names: Sequence[Dart]) -> Self:
-        """The lighthouse at this place after dart ``d`` has been renamed to ``names[d]``."""
+        """The same lighthouse in the same map after each dart ``d`` is renamed ``names[d]``."""
         renamed: dict[str, Any] = {}
         if hasattr(self, "dart"):
             renamed["dart"] = names[self.dart]
@@ -241,9 +247,13 @@ class Lighthouse(ABC):
         raise InvalidWorld(f"the lighthouse {name} has no place in this map with start {start}")
 
     def number(self, map_: CombinatorialMap, start: Dart) -> int:
-        """The number of this place among all places in the map rooted at ``start``, from 0 on.
+        """The number, from 0 on, of the lighthouse's place among all places in a rooted map.
 
-        The result is also 0 if this is no legal place in the map.
+        If the lighthouse stands at none of these places, the result is 0, as for the first place.
+
+        Args:
+            map_: the map.
+            start: the root of the map.
         """
         places = enumerate(self.as_kind.places(map_, start))
         return next((i for i, placed in places if placed == self), 0)
@@ -253,13 +263,13 @@ class Lighthouse(ABC):
     ) -> Lighthouse | None:
         """The lighthouse at its place in the map of the robot's answer.
 
-        The judge asks for this place to find the percepts that the answer predicts, and compares
-        these percepts with those that the robot had.  By default it is the place with the same
-        number as the lighthouse's place in the world; None if the answer's map has no place with
-        this number.
+        The place determines the percepts that the answer predicts; the judge compares these
+        percepts with those that the robot had.  By default the place in the answer's map has the
+        same number as the lighthouse's place in the world; the answer's map is rooted at the first
+        dart of ``walk``.  If the answer's map has no place with this number, the result is None.
 
         Args:
-            map_: the map of the world.
+            map_: the map of the world, not of the answer.
             start: the robot's start in the world.
             walk: the robot's walk in the answer's map.  Some kinds, such as the compass, find the
                 place by the percepts on this walk.
@@ -291,7 +301,11 @@ class Lighthouse(ABC):
         return state
 
     def left_marks(self, map_: CombinatorialMap, state: State) -> int:  # noqa: ARG002
-        """The number of marks that the robot has left, and senses in this state; by default 0."""
+        """The number of sensed marks that come from the robot's actions; by default 0.
+
+        Dropped markers that lie at the robot's vertex count here; a number that the robot has
+        written there counts as so many marks.
+        """
         return 0
 
     def told(self, map_: CombinatorialMap) -> actions.Told:  # noqa: ARG002  # for kinds that need it

@@ -69,10 +69,12 @@ class Movable(PlacelessLighthouse):
     """Markers that the robot carries: all are in its hand at the start.
 
     Sensed at a vertex: the number of markers that lie there, and the degree.  The markers point
-    nowhere, and look alike.  The options: ``markers=K``, the number of markers (default: 1);
-    ``pick=false``, a dropped marker stays; ``distinct=true``, the robot tells the markers apart:
-    marker i counts as 2^i marks, and the marker with the smallest i is dropped or taken up first.
-    Source: Section II of the paper (Dudek, Jenkin, Milios, Wilkes 1991: one, with ``pick``).
+    nowhere.  By default they look alike.  The options: ``markers=K``, the number of markers
+    (default: 1); ``pick=false``, a dropped marker stays; ``distinct=true``, the robot tells the
+    markers apart: the markers have the numbers 0, 1, 2, ..., marker i counts as 2^i marks, and the
+    marker with the smallest number is dropped or taken up first.
+    Source: Section II of the paper (in Dudek, Jenkin, Milios, Wilkes 1991 the robot has one marker,
+    which it may take up again).
     """
 
     markers: Annotated[Positive, about("the number of markers in the hand at the start")] = 1
@@ -191,8 +193,8 @@ class Composed(Lighthouse):
 
     Attributes:
         parts: the lighthouses, each at its place.
-        kinds: the classes of the parts.  :func:`composed` makes a subclass that has them; in this
-            class there are none.
+        kinds: the classes of the parts.  In this class the tuple is empty; :func:`composed` makes
+            subclasses with other tuples.
     """
 
     parts: tuple[Lighthouse, ...]
@@ -222,7 +224,11 @@ class Composed(Lighthouse):
 
     @property
     def _marking(self) -> Lighthouse:
-        """The part that gives marks; the first part if none gives marks."""
+        """The part that gives marks; actions besides motions are left to it.
+
+        If no part gives marks, the result is the first part: then any part will do, since no marker
+        is in the robot's hand, and every action besides a motion is refused.
+        """
         return next((part for part in self.parts if part.gives_marks), self.parts[0])
 
     @classmethod

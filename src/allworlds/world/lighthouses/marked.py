@@ -26,9 +26,13 @@ StartsAt: TypeAlias = Annotated[
 
 
 class MarkedStart(base.ReferenceLighthouse):
-    """A lighthouse at one vertex v0; a dart of v0 determines all that the robot senses.
+    """A lighthouse at one vertex v0; a dart of v0 determines what is sensed besides degrees.
 
-    The robot starts at v0; under the option ``start=any`` of some kinds v0 may be any vertex.
+    Attributes:
+        dart: this dart of v0.
+        start: the option ``start`` of some kinds: ``v0``, the robot starts at v0, or ``any``, v0
+            may be any vertex.  In methods the parameter ``start`` is another thing: the dart at
+            which the robot starts.
     """
 
     dart: Dart
@@ -89,10 +93,12 @@ class TowardsNeighbour(MarkedStart):
     ) -> base.Lighthouse | None:
         """The lighthouse at its place in the map of the robot's answer.
 
-        The dart of the lighthouse is as many darts clockwise from the start as in the world (under
-        ``start=any``: the place has the same number as in the world).  In a wrong answer this dart
-        may be no legal place, such as a loop; the result is then not None, but an illegal place.
-        The parameters are those of :meth:`Lighthouse.believed`.
+        Under ``start=any`` the place has the same number as in the world.  Otherwise the number of
+        darts clockwise from the robot's start to the lighthouse's dart is the same in the answer's
+        map as in the world.  In a wrong answer the lighthouse may stand illegally at this dart: for
+        example, the dart may belong to a loop.  The result is then not None, since this lighthouse
+        predicts percepts, too, which the judge can compare.  The parameters are those of
+        :meth:`Lighthouse.believed`.
         """
         if self.start == "any":
             return super().believed(map_, start, walk)
@@ -144,8 +150,10 @@ class Directional(MarkedStart):
 def word_of(pattern: str, degree: int) -> tuple[int, ...]:
     """The letters that a pattern gives to the bearings ``0..degree-1``.
 
-    A pattern that is too short is repeated; a pattern that is too long is cut off.  In a pattern
-    with ``x*`` only the letter ``x`` is repeated, as often as the other letters leave room.
+    A pattern without ``*`` is repeated if it is too short, and cut off if it is too long.  In a
+    pattern with ``*`` only the letter before ``*`` is repeated: as often as needed for ``degree``
+    letters in all, perhaps zero times.  If the other letters alone are too many, the end is cut
+    off.
     """
     before, star, after = pattern.partition("*")
     if star:
@@ -249,8 +257,10 @@ class Cluster(TowardsNeighbour):
 class Natural(TowardsNeighbour):
     """The start vertex v0 and a neighbour v1 of it; no other vertex has the degree of v0 or of v1.
 
-    Only the degree is sensed.  The explorer is told the degree of v1, because no percept can show
-    that this degree is unique.  ``dart`` is any dart that leads from v0 to v1.
+    The degrees of v0 and v1 differ.  Only the degree is sensed.  The robot senses the degree of v0
+    at the start.  The explorer is told the degree of v1, because the robot cannot sense which of
+    its neighbours has a degree that occurs only once.  ``dart`` is any dart that leads from v0 to
+    v1.
     Source: Section VIII of the paper.
     """
 
@@ -381,13 +391,14 @@ class Labels(AtEveryVertex):
     """Every vertex has a number of its own, and a reference dart.
 
     Sensed at a vertex: as many marks as its number, the bearing of its reference dart, and the
-    degree.  So the robot can tell all vertices apart; this lighthouse is a yardstick for others.
+    degree.  So the robot can tell all vertices apart.
 
     Attributes:
-        darts: the reference dart of each vertex, in the order of the vertices' numbers.
-        numbers: the numbers of the vertices in this order; empty stands for 1, 2, 3, ...  In a
-            world the field is always empty; only :meth:`believed`, for the map of a robot's
-            answer, sets other numbers.
+        darts: the reference dart of each vertex.  In a world, the first dart is that of the vertex
+            with the number 1, the second that of the vertex with the number 2, and so on.
+        numbers: empty in a world.  In the map of a robot's answer, :meth:`believed` sets here the
+            numbers of the vertices, in the order of ``darts``; vertices that the robot never
+            visited have the number 0.
     """
 
     darts: Annotated[

@@ -222,10 +222,10 @@ def _legal(kind: Any, name: str, key: str) -> FieldOption:
 
 
 def values_in(placed: Any) -> dict[str, OptionValue]:
-    """The options of a lighthouse whose values differ from their defaults.
+    """The options of a lighthouse whose values differ from their defaults, by their names.
 
-    Each value stands under the name of its option.  If the lighthouse has one option only, and the
-    value of this option is a text, the option is always included.
+    One option is included even if its value is the default: the pattern of the lighthouse ``word``.
+    So the name of this kind always shows the pattern, as in ``word:12``.
     """
     kind: Any = type(placed)
     values = {key: (getattr(placed, key), option) for key, option in options_of(kind).items()}
@@ -255,7 +255,8 @@ def named_with(kind: Any, options: Mapping[str, OptionValue]) -> str:
 def with_arguments(name: str, arguments: Mapping[str, Any], mark: str = "?") -> str:
     """The text ``NAME?key=value,...``, with ``mark`` in place of the question mark.
 
-    An argument that is a tuple stands without its key; without arguments the text is the name.
+    If an argument is a tuple of words, the words stand there with commas between, and without the
+    key, as in ``told:n,m``.  If there are no arguments, the text is the name alone.
     """
     texts = [
         ",".join(value)

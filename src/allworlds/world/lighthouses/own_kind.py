@@ -36,9 +36,11 @@ def own_kind(code: user_code.UserCode) -> type[Lighthouse]:
 
 @cache
 def _kind(code: user_code.UserCode) -> type[Lighthouse]:
-    """The subclass for the class in a user's program; a process makes each subclass once.
+    """The subclass that is made of the class in a user's program; see :func:`_subclass`.
 
-    If the program names a function that makes a class, each choice of arguments has a subclass.
+    In one process a second call with the same program returns the same subclass.  The program may
+    also name a function that makes a class, with arguments for this function; then other arguments
+    make another subclass.
     """
     made = code.made()
     if not isinstance(made, type) or not issubclass(made, Lighthouse) or inspect.isabstract(made):
