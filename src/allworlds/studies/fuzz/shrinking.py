@@ -115,9 +115,9 @@ def _with_pieces_less(finding: Finding, scope: Scope, refute: Refute) -> Iterato
 
     A piece is a set of consecutive edges in breadth-first order from the start.  The map is cut
     into pieces of one size, at first half of the map.  The pieces are tried one after the other,
-    the farthest first: each is deleted, and it is contracted.  If one of the smaller worlds
-    refutes, this world is cut into pieces of the same size, and these are tried.  If no piece of
-    this size can be removed, pieces of half the size are tried.
+    the farthest first; the map without the piece and the map with the piece contracted are tried.
+    If a world with such a map refutes, its map is cut into pieces of the same size, and these are
+    tried.  If no piece of this size can be removed, pieces of half the size are tried.
 
     In the smaller map the lighthouse keeps the number of its place; if the smaller map has no place
     with this number, the remainder of its division by the number of places is taken.  A map without
