@@ -497,8 +497,8 @@ def _ends_alike(finding: Finding, log: Log) -> bool:
       must be ``task`` or ``bound``.
     - The finding shows a wrong estimate: the play must answer with the same estimate.
     - In all other cases the play has an answer, so the law of the finding must not be ``crash``,
-      ``timeout``, ``illegal-action`` or ``budget``.  If the answer is a quotient, the law must not be ``map``
-      or ``pose``, either; if the answer is an estimate, it must not be ``no-estimate``.
+      ``timeout``, ``illegal-action`` or ``budget``.  If the answer is a quotient, the law must not
+      be ``map`` or ``pose``, either; if the answer is an estimate, it must not be ``no-estimate``.
     """
     end = ending_of(log)
     if isinstance(end, Fault):
