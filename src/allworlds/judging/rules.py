@@ -190,9 +190,10 @@ class RuleOptions(Request):
     ) -> "Rules":
         """The rules for the explorer ``subject`` under the lighthouse ``lighthouse``.
 
-        The rules hold the bound that the explorer itself names; and, if the request has no step
-        budget, the step budget that the explorer itself names.  ``promised`` and ``among`` become
-        the fields of :class:`Rules` with these names.
+        A built-in explorer, or one with a wrapper, may have a bound and a step budget of its own.
+        The field ``own_bound`` of the rules is the explorer's own bound; None if it has none.  If
+        the request has no step budget, the rules get the explorer's own step budget; None if it has
+        none.  ``promised`` and ``among`` become the fields of :class:`Rules` with these names.
 
         Raises:
             InputError: naming the offending option and what would be legal.
@@ -243,15 +244,16 @@ class Rules(RuleOptions, kw_only=False):
 
     Attributes:
         lighthouse: the kind of lighthouse.
-        promised: whether the class of the worlds promises a property of every world, namely
-            planarity.  By such a property an explorer can be right although its log does not
-            determine the map, so the law ``folding`` is not checked.
-        own_bound: the bound that the explorer itself names for this lighthouse; None if the
-            explorer names none.
+        promised: whether all maps of the class are planar, so that the explorer may rely on this.
+            Then an explorer can be right although its log does not determine the map, so the law
+            ``folding`` is not checked.
+        own_bound: the explorer's own bound on the traversals under this lighthouse; None if it has
+            none.
         among: the condition on the maps; None if there is none.  Findings record the condition;
             runs do not depend on it.
-        shared_file: the name of a file that holds both the explorer and code that judges, for a
-            remark in reports; empty if there is none.
+        shared_file: the name of a file that holds both the explorer and code that judges the
+            explorer; empty if there is no such file.  Since the explorer's code could then change a
+            verdict, reports name the file in a warning.
     """
 
     lighthouse: Converted[kinds.GivenLighthouse, kinds.LighthouseKind] = Converted(
@@ -352,10 +354,12 @@ class Rules(RuleOptions, kw_only=False):
     def budget_by_size(self, vertices: int, edges: int) -> int:
         """The step budget of a run in a world of this size; see :meth:`budget`.
 
-        The result is the field ``step_budget``, unless this field is None.  If the field is None,
-        the result is the default step budget.  Two cases change this default.  If the explorer's
-        own bound depends only on the size, and is larger, the result is this bound.  If
-        :meth:`budget_of_bound` has a value, the result is at most this value.
+        If the field ``step_budget`` is not None, it is the result.  Otherwise the result is
+        computed in three steps.  First, the result is :func:`default_step_budget` of the paper's
+        bound.  Second, if the explorer's own bound depends only on the size, and is larger than
+        this number, the result becomes the own bound: a run that keeps the own bound needs no more
+        traversals.  Third, if :meth:`budget_of_bound` has a value, and this value is smaller, the
+        result becomes this value.
 
         ``vertices`` and ``edges`` are the size: the numbers of vertices and edges.
         """
@@ -413,11 +417,12 @@ class Rules(RuleOptions, kw_only=False):
 
     @property
     def in_effect(self) -> dict[str, Any]:
-        """The value of each option, and of the lighthouse, by the keys in documents.
+        """The options and the lighthouse that are in effect, as reports and findings show them.
 
-        For ``bound`` and ``laws`` these are the values in effect: the bound that is checked, or
-        ``none``; and the names of all laws that are checked, the law ``task`` included.  The value
-        of ``task`` is None for the task ``map``.
+        The keys are those of these documents, such as ``step_budget``; the values are JSON values.
+        ``bound`` is the bound that is checked, or ``none``.  ``laws`` are the names of all laws
+        that are checked, the law ``task`` included.  ``task`` is None for the task ``map``, which
+        findings leave out.
         """
         effective = {
             "task": None if self.task.is_map else self.task,
@@ -471,9 +476,13 @@ class RecordedRules(doc.Document, forbid_unknown_fields=False):
     def rules(self, world: World, own_bound: str | None = None) -> Rules:
         """The recorded rules, for a run in ``world``.
 
-        ``own_bound`` is the bound that the explorer itself names, or None.  If the record holds a
-        bound but not the law ``bound``, the bound was not checked, and is left out.  If the record
-        holds the law ``bound``, but there is no bound, the law is left out.
+        ``own_bound`` is the explorer's own bound, or None if it has none.  If a user has changed
+        the record, its bound and its list of laws may contradict each other, and :class:`Rules`
+        would refuse them.  In two cases the result is therefore made without the offending part.
+        First: there is a bound, but the list does not hold the law ``bound``.  Then the recorded
+        bound is ignored.  Second: the list holds the law ``bound``, but the recorded bound is
+        ``none``; or no bound is recorded, and the default bound is ``none``.  Then this law is
+        ignored.
 
         Raises:
             InputError: naming the offending option.

@@ -1,4 +1,8 @@
-"""The finding: a run that breaks a law, with what further plays of this run have shown."""
+"""The finding: the record of a run that breaks a law.
+
+The finding also records the results of later plays of this run: for example, whether a new process
+did the same, and whether earlier runs in the same process or the hash seed change the result.
+"""
 
 import hashlib
 import json
@@ -30,12 +34,14 @@ names."""
 
 
 def _value(name: str, given: Any) -> Value:
-    """The estimate in ``given``, the JSON value of the key ``expected`` or ``seen`` of a finding.
+    """The estimate that ``given`` holds, the JSON value of the key ``expected`` or ``seen``.
 
-    The function is not called if the JSON value is an integer or a text, which needs no conversion.
+    These are keys of a finding.  An integer or a text needs no conversion, so the function is not
+    called for these values.
 
     Raises:
-        InputError: with ``name``, the name of the key, if ``given`` is no estimate.
+        InputError: if ``given`` is no estimate.  The message begins with ``name``, the name of the
+            key.
     """
     if isinstance(given, Mapping):
         try:
@@ -108,12 +114,12 @@ class Finding(doc.Document, Paged, forbid_unknown_fields=False, kw_only=True):
     """Finding.
 
     A run that breaks a law, with all data to play it again. When a finding is read, unknown keys
-    are ignored, except in its world.
+    are ignored; but an unknown key of its world is refused.
 
-    ``at`` is the number of the lighthouse's place, and ``under`` the rules of the run. Each of the
-    two is None if unknown; then the place follows from the world, and the rules follow from
-    the world and ``options``. ``machine`` tells whether the machine, not the explorer, may be the
-    cause of the broken law.
+    The last three fields are not in the document. ``at`` is the number of the lighthouse's place.
+    If ``at`` is None, ``place`` computes this number from the world. ``under`` holds the rules of
+    the run. If ``under`` is None, ``rules`` makes the rules from the world and ``options``.
+    ``machine`` tells whether the machine, not the explorer, may be the cause of the broken law.
     """
 
     version: Annotated[Literal[2], doc.about("the version of findings")]
@@ -264,7 +270,13 @@ class Finding(doc.Document, Paged, forbid_unknown_fields=False, kw_only=True):
 
     @property
     def command(self) -> str:
-        """A shell command that runs the explorer in this world again."""
+        """The command ``allworlds run`` for this explorer in this world, as a line for a shell.
+
+        The line tells the rules and the choices of the run, and the hash seed if the run depends on
+        it.  The line does not repeat the run in two cases, in which :attr:`reproduce` is another
+        line.  First: the run depends on earlier runs (``after``).  Second: the command line cannot
+        name the explorer.
+        """
         command = ["allworlds", "run", *named_on_command_line(self.explorer)]
         command.append(self._world_text)
         line = shlex.join(command + self.rules.arguments(self.choices))

@@ -27,9 +27,11 @@ def default_step_budget(bound: int) -> int:
 
 
 def far_beyond(bound: int) -> int:
-    """The number of traversals beyond which a run is stopped: 100 times ``bound``, plus 100.
+    """100 times ``bound``, plus 100: the largest default step budget of a run under this bound.
 
-    Such a run exceeds the bound in any case.
+    ``bound`` is the bound that the law ``bound`` checks.  Unless a step budget is given, a run is
+    cut off after this number of traversals, even if the step budget of :func:`default_step_budget`
+    is larger.  Such a run breaks the law ``bound`` anyway, so its rest need not be played.
     """
     return 100 * max(0, bound) + 100
 

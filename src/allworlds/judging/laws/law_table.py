@@ -135,10 +135,12 @@ def _wrong_answer(case: Case, law: str) -> Violation:
 def ambiguity_law(case: Case) -> Violation | None:
     """Require that an answer without a map is the world's quotient, rooted at the robot's dart.
 
-    The world must also have lookalikes: other worlds, with maps of any class, in which every walk
-    has the same percepts.  An answer without a map is legal only under the lighthouse ``position``,
-    where the robot senses the degree, and one mark at the vertex of the start; the numbers n and m
-    may be told to the explorer before the start.
+    The world must also have a lookalike: another world, with a map of any class, such that each
+    walk has the same percepts in both worlds.  An answer without a map is legal only under the
+    lighthouse ``position``.  There the robot senses the degree, and one mark at the vertex of the
+    start.  The explorer may be told n and m before the start, but these numbers exclude no
+    lookalike: all lookalikes have the same n and m.
+
     Cost: O(m log m).
     """
     answer = case.estimate
@@ -257,10 +259,11 @@ def _wrong_part(case: Case, steps: int, checkpoint: Checkpoint) -> str | None:
 def invariant_2(case: Case) -> Violation | None:
     """Require I-2 at every checkpoint: U is the set of unexplored darts at the explored vertices.
 
-    U is the set of the open darts of S, the darts u with alpha(u) = u.  I-2 is broken if such a u
-    is also alpha(d) for another dart d of S, because u is then the other end of an explored edge.
-    The function checks only this.  If I-1 holds, S has every dart of each explored vertex, so
-    nothing else can break I-2.  The law ``invariant-1`` checks whether I-1 holds.
+    An explorer shows an open dart u as a dart with alpha(u) = u.  Since the explorer can be wrong,
+    its alpha need not be a permutation: alpha(d) = u may also hold for another dart d of S.  Then u
+    is the other end of an explored edge, and I-2 is broken.  The function checks only this.  If I-1
+    holds, S has every dart of each explored vertex, so nothing else can break I-2.  The law
+    ``invariant-1`` checks whether I-1 holds.
     """
     for steps, checkpoint in case.checkpoints:
         if broken := _half_entered(checkpoint):
@@ -453,11 +456,11 @@ OF_CHECKPOINTS = ("invariant-1", "invariant-2", "variant")
 
 
 def checked_laws(laws: Iterable[str], runs: int, checkpoints: int) -> tuple[str, ...]:
-    """The names in ``laws`` of the laws that a check has really checked.
+    """Those of the laws in ``laws`` that a check has tested in at least one run.
 
-    ``runs`` is the number of the runs, ``checkpoints`` the number of all their checkpoints.
-    Without a run no law was checked.  Without a checkpoint the laws about checkpoints were not
-    checked.
+    ``laws`` and the result hold names of laws.  ``runs`` is the number of the runs, and
+    ``checkpoints`` the number of all their checkpoints.  If there was no run, the result is empty.
+    If there was no checkpoint, the laws about checkpoints are left out.
     """
     if not runs:
         return ()
