@@ -8,7 +8,7 @@ entry begins with a byte, which tells the kind of the entry; most kinds have a n
     201 ANSWERED        the answer, in the same form as a checkpoint
     202 OVER_BUDGET     one traversal more than the budget
     203 SHOWN_TOO_OFTEN one checkpoint more than is legal
-    204 FAULT           the explorer breaks a law: the number of the law in LAWS; whether the
+    204 FAULT           the explorer breaks a law: the index of the law in LAWS below; whether the
                         machine may be the cause of the fault (1) or not (0); and three texts: the
                         expected, the observed, and more, such as a traceback
     205 BEYOND          an action that the player cannot follow: in the second play of a run the
@@ -27,8 +27,9 @@ entry begins with a byte, which tells the kind of the entry; most kinds have a n
     217 FREE_TOO_OFTEN  too many free actions (drop, pick, write)
     218 REFUSED         the last action is illegal; a walk of the log in the world shows why
 
-Compiled parts of the program know the bytes up to 205, and 210.  They need not read the values
-after the byte 204.  A compiled player also writes 205 in place of an entry that it cannot write.
+The compiled judge reads only the entries with the bytes 0 to 204 and 210, and no values after 204;
+it leaves a log with another entry to Python.  A compiled player writes 204 without values.  If it
+cannot write an entry, it writes 205 in place of this entry; then Python plays the run again.
 """
 
 from __future__ import annotations
@@ -172,7 +173,9 @@ class Log:
         """Read the log whose bytes are ``log``.
 
         Raises:
-            ValueError: if the bytes are no log, or if no entry ends the log.
+            ValueError: if the bytes are no log; if the last entry is not one that ends a log (an
+                answer, or a reason for which the run is over); or if bytes follow the entry that
+                ends the log.
         """
         self.actions: list[int] = []
         self.checkpoints: list[tuple[int, tuple[int, ...], tuple[int, ...], int]] = []

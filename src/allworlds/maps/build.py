@@ -220,11 +220,12 @@ def dense(vertices: int, holes: float = 0.0, seed: int = 0) -> CombinatorialMap:
 def _with_holes(rotation: dict[int, list[int]], holes: float, seed: int) -> dict[int, list[int]]:
     """The rotation ``rotation`` without ``round(holes * m)`` of its m edges; the rest is connected.
 
-    ``seed`` determines the removed edges.  The function shuffles the edges, and gives each edge a
-    smaller weight than the edge before.  Then it removes the first ``round(holes * m)`` of the
-    shuffled edges that are not in the minimum spanning tree for these weights.  The result is as if
-    the shuffled edges were tried one after another, and an edge was removed whenever the rest
-    stayed connected.
+    ``seed`` determines the removed edges.  The result is as if the function shuffled the edges,
+    then tried them one after another, and removed an edge whenever the rest stayed connected, until
+    enough edges were removed.  A spanning tree gives the same result faster.  Each edge gets a
+    smaller weight than the edge before, so the minimum spanning tree keeps late edges rather than
+    early ones.  The edges outside this tree can be removed; the function removes the first
+    ``round(holes * m)`` of them, in the shuffled order.
 
     Raises:
         ValueError: if ``holes`` is not in 0..1, or if fewer than ``round(holes * m)`` edges are
@@ -362,9 +363,10 @@ def contracted(map_: CombinatorialMap, dart: Dart) -> CombinatorialMap | None:
 def completed(sigma: Sequence[int], alpha: Sequence[Dart]) -> CombinatorialMap:
     """The map of an explored part, in which each open dart leads to a new vertex.
 
-    ``sigma`` and ``alpha`` are those of the explored part.  Suppose that ``alpha`` maps a dart d to
-    d itself.  If ``alpha`` maps another dart e to d, then e and d become an edge.  Otherwise d is
-    open, and a new vertex of degree 1 becomes the other end of its edge.
+    ``sigma`` and ``alpha`` are those of the explored part, in which ``alpha`` maps an open dart to
+    itself.  The part may come from a wrong explorer, so ``alpha`` may map a dart d to itself, and
+    another dart e to d, too.  Then d is not open, but e and d become an edge.  Each open dart
+    becomes an edge to a new vertex of degree 1.
 
     Raises:
         InvalidMap: if the result is no map.

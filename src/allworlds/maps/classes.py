@@ -122,7 +122,13 @@ class NamedCondition(Struct, frozen=True):
 
     @property
     def dual(self) -> bool:
-        """Whether the enumeration glues together the duals of the maps with this property."""
+        """Whether this condition is tested on unfinished duals, and not on unfinished maps.
+
+        The dual of a map has a vertex for each face of the map.  A condition on the faces of a map
+        is one on the vertices of its dual, so it can be tested before the dual is finished.
+        Therefore the enumeration glues together the duals, and turns each finished dual into its
+        map.
+        """
         return self._kind.dual
 
     def may_begin(self, gluing: Gluing) -> bool:
@@ -217,7 +223,10 @@ OPEN = -1
 
 
 class ConditionKind(Struct, frozen=True):
-    """A built-in condition for every number that its name can hold.
+    """The functions of a built-in condition; they serve all numbers that its name can hold.
+
+    For example, one object is for ``girth:3``, ``girth:4`` and so on.  If the name has no number,
+    the functions get the number 0, which they ignore.
 
     Attributes:
         holds: the function that tells, for a map and the number in the name, whether the map meets
@@ -225,8 +234,8 @@ class ConditionKind(Struct, frozen=True):
         begins: the function that tells, for an unfinished map and the number, whether this map can
             still become a map that meets the condition.
         least: the least legal number; None if the name has no number.
-        dual: whether the enumeration glues together the duals of the maps that meet the condition;
-            if so, ``begins`` takes an unfinished dual.
+        dual: whether ``begins`` takes an unfinished dual instead of an unfinished map: see
+            :attr:`NamedCondition.dual`.
     """
 
     holds: Callable[[CombinatorialMap, int], bool]
@@ -254,10 +263,11 @@ def girth(map_: CombinatorialMap) -> int | None:
 
 
 def regular(gluing: Gluing, degree: int) -> bool:
-    """Whether all vertices of ``gluing`` have the degree ``degree``, and all new ones can have it.
+    """Whether ``gluing`` may still become a map whose vertices all have the degree ``degree``.
 
-    The number of darts that must still be made must be a multiple of the degree, and
-    ``gluing.limit`` must leave enough new vertices for these darts.
+    The result is true if three conditions hold.  First: all vertices of ``gluing`` have this
+    degree.  Second: the number of darts that must still be made is a multiple of the degree.
+    Third: with the vertices for these darts, the gluing has at most ``gluing.limit`` vertices.
     """
     room = gluing.limit - len(gluing.degrees)
     return (
@@ -368,13 +378,14 @@ class MapSource(Protocol):
     """Maps that are given one by one, instead of all maps of a class.
 
     Attributes:
-        starts: the numbers of the given rooted maps.  The keys are numbers of edges, ascending; the
-            value is the number of rooted maps with so many edges.  A map counts once for each dart
-            that is given as its start.
-        count: the number of the maps, each counted once.
+        starts: how many rooted maps are given.  The keys are numbers of edges, ascending; the value
+            is the number of the given rooted maps with so many edges.  A map with several given
+            starts is several rooted maps.
+        count: the number of the given maps; a map with several starts counts once.
         fixed: whether each map comes with a single start and a single place of its lighthouse.
         words: words about the number and the origin of the maps, for messages.
-        gate: the reason why the number of the maps cannot be compared with an independent count.
+        gate: a text that a report shows instead of the gate.  It says why there is no number with
+            which the number of the maps can be compared.
     """
 
     starts: Mapping[int, int]
@@ -398,7 +409,8 @@ class Extent(Struct, frozen=True):
     Attributes:
         map_class: the class.
         edges: the largest number of edges; None if only the vertices are bounded, which is legal
-            for simple classes.  For given maps the default is their largest number of edges.
+            for simple classes.  With given maps the field is never None: in place of None it gets
+            the largest number of edges of the given maps.
         vertices: the largest number of vertices; None if only the edges are bounded.
         where: a condition that the maps meet; None if there is none.
         given: the given maps, of which those in the class and within the bounds are taken; None for
@@ -441,7 +453,7 @@ class Extent(Struct, frozen=True):
 
     @property
     def levels(self) -> Sequence[int]:
-        """The numbers of edges of the levels, ascending; a level is all maps with one number."""
+        """The numbers of edges for which the extent may have maps, ascending; each is one level."""
         if self.given is not None:
             assert self.edges is not None
             return [edges for edges in self.given.starts if edges <= self.edges]

@@ -289,10 +289,11 @@ def cycles(permutation: Sequence[int]) -> tuple[tuple[int, ...], ...]:
 
 
 def places(cycles: Sequence[Sequence[int]]) -> tuple[tuple[int, ...], tuple[int, ...]]:
-    """For each element the number of its cycle; and for each element its position in its cycle.
+    """The index of each element's cycle in ``cycles``; and each element's position in its cycle.
 
-    ``cycles`` are the cycles of a permutation; the number of a cycle is the cycle's index in
-    ``cycles``.
+    ``cycles`` are the cycles of a permutation.  The result is a pair of tuples, both indexed by
+    element.  The element that ``cycles`` lists first in a cycle has the position 0.  These places
+    have nothing to do with the places of a lighthouse.
     """
     size = sum(map(len, cycles))
     owner, positions = [0] * size, [0] * size
@@ -458,8 +459,9 @@ def carries(
     """Whether an isomorphism from the first map to the other map takes ``order[0]`` to ``image``.
 
     The first map is ``sigma`` and ``alpha``; ``order`` is its :func:`numbering` from any root.  The
-    other map is ``other_sigma`` and ``other_alpha``, with as many darts; ``image`` is one of these.
-    Cost: O(m), but O(1) on average if there is no such isomorphism.
+    other map is ``other_sigma`` and ``other_alpha``; ``image`` is one of its darts.  Both maps must
+    have equally many darts.  Cost: O(m); usually much less if there is no such isomorphism, because
+    the function stops at the first contradiction.
     """
     to = [-1] * len(sigma)
     to[order[0]] = image

@@ -58,12 +58,14 @@ def _anywhere(open_: int, owed: int, vertices: int) -> int:
 
 @cache
 def _fillings(open_: int, most: int) -> Mapping[NewParts, int]:
-    """The numbers of ways to finish a face of a planar gluing with at most ``most`` new darts.
+    """The numbers of ways to finish one face of a planar gluing, by the new parts that they make.
 
-    The face has ``open_`` open darts, and is finished when none of its darts is open.  The key is a
-    pair of a number of new darts and a number of new vertices; the value is the number of ways with
-    these numbers.  The oldest open dart is glued either to another open dart, which divides the
-    face into two faces, or to a new vertex.
+    The face has ``open_`` open darts, and is finished when it has no open dart.  Only ways that
+    make at most ``most`` new darts are counted.  A key of the result is a pair: a number of new
+    darts, and a number of new vertices.  The value is the number of the ways that make these
+    numbers.  The oldest open dart is glued either to another open dart of the face, which divides
+    the face into two faces, or to a new vertex, whose other darts become open darts of the same
+    face.
     """
     if open_ == 0:
         return NOTHING
@@ -86,7 +88,12 @@ def _product(a: Mapping[NewParts, int], b: Mapping[NewParts, int]) -> Mapping[Ne
 
 
 def source_of(extent: Extent) -> CountSource | None:
-    """The source in ``counting`` of the numbers of maps in an extent; None if it has no source."""
+    """The formula or recurrence that counts the maps of an extent; None if ``counting`` has none.
+
+    There is none in three cases.  First: the extent has given maps.  Second: its condition is a
+    user's own one, or consists of several conditions.  Third: the module ``counting`` has no source
+    for this built-in condition in this class of maps.
+    """
     where = extent.where
     if extent.given is not None:
         return None
