@@ -289,7 +289,7 @@ def cycles(permutation: Sequence[int]) -> tuple[tuple[int, ...], ...]:
 
 
 def places(cycles: Sequence[Sequence[int]]) -> tuple[tuple[int, ...], tuple[int, ...]]:
-    """The index of each element's cycle in ``cycles``; and each element's position in its cycle.
+    """For each element the index of its cycle in ``cycles``, and its position in this cycle.
 
     ``cycles`` are the cycles of a permutation.  The result is a pair of tuples, both indexed by
     element.  The element that ``cycles`` lists first in a cycle has the position 0.  These places

@@ -58,7 +58,7 @@ def _anywhere(open_: int, owed: int, vertices: int) -> int:
 
 @cache
 def _fillings(open_: int, most: int) -> Mapping[NewParts, int]:
-    """The numbers of ways to finish one face of a planar gluing, by the new parts that they make.
+    """The numbers of ways to finish a face of a planar gluing, by the new parts that they make.
 
     The face has ``open_`` open darts, and is finished when it has no open dart.  Only ways that
     make at most ``most`` new darts are counted.  A key of the result is a pair: a number of new
@@ -88,7 +88,7 @@ def _product(a: Mapping[NewParts, int], b: Mapping[NewParts, int]) -> Mapping[Ne
 
 
 def source_of(extent: Extent) -> CountSource | None:
-    """The formula or recurrence that counts the maps of an extent; None if ``counting`` has none.
+    """The formula or recurrence that counts the maps of ``extent``; None if there is none.
 
     There is none in three cases.  First: the extent has given maps.  Second: its condition is a
     user's own one, or consists of several conditions.  Third: the module ``counting`` has no source

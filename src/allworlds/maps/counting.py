@@ -1,8 +1,8 @@
 """The numbers of rooted maps, computed without making a map, for the count gate.
 
 An enumeration is exhaustive if its counts equal counts from an independent source.  The sources
-in this module are generating functions, recurrences and sums from the literature.  They share no
-code with the enumeration of maps, or with the maps themselves.
+in this module are formulas from the literature: generating functions, recurrences and sums.  They
+share no code with the enumeration, or with the class ``CombinatorialMap``.
 
 Each source is a function that takes a number of edges ``m >= 1``, and returns the exact numbers of
 rooted maps by number of vertices: ``{vertices: rooted maps}``.  A connected map with m edges has
@@ -11,12 +11,11 @@ rooted maps by number of vertices: ``{vertices: rooted maps}``.  A connected map
 ============================  ===========================================================
 all maps                      the logarithm of the series of all pairs of permutations
 planar maps                   the recurrence of Carrell and Chapuy at genus 0
-simple maps                   degree sequences
-simple planar maps            substitution into planar maps
+simple maps                   a sum over all sequences of degrees
+simple planar maps            two equations from the series of the planar maps
 trees (of any class)          Catalan numbers
-cubic, regular, eulerian      the logarithm for all maps, degree sequences for simple maps, the
-                              recurrence of Walsh and Lehman for planar maps; all with the legal
-                              degrees only
+cubic, regular, eulerian      all maps, simple maps: as above; planar maps: the recurrence of Walsh
+                              and Lehman; in each case with the legal degrees only
 triangulation, quadrangu-     the dual maps, by the recurrence of Walsh and Lehman; simple planar
 lation                        triangulations by Tutte's formula
 ============================  ===========================================================
@@ -160,10 +159,12 @@ def rooted_maps(edges: int, legal: Degrees | None = None) -> Cells:
 
     If ``legal`` is not None, only maps in which all vertices have legal degrees are counted.
 
-    The number is ``2m [z^m x^n] log sum_k (2k-1)!! x(x+1)...(x+2k-1) z^k / (2k)!``.  The sum
-    counts all sigma by cycles, times all alpha, on labelled darts.  The logarithm keeps the
-    connected pairs.  A rooted map has ``(2m-1)!`` labellings.  If ``legal`` is not None, the sum
-    counts only those sigma whose cycles have legal lengths.
+    The number is ``2m [z^m x^n] log sum_k (2k-1)!! x(x+1)...(x+2k-1) z^k / (2k)!``.  The term k of
+    the sum counts the pairs (sigma, alpha) on 2k labelled darts: ``x(x+1)...(x+2k-1)`` counts every
+    sigma, with a factor x for each cycle, and ``(2k-1)!!`` counts every alpha.  The logarithm
+    counts only the connected pairs.  Each rooted map is counted ``(2m-1)!`` times, once for each
+    labelling with the root as dart 0.  The quotient ``(2m)! / (2m-1)!`` is the factor 2m.  If
+    ``legal`` is not None, the sum counts only those sigma whose cycles have legal lengths.
     """
     return cells(edges, _connected(edges, legal))
 
@@ -302,14 +303,18 @@ def rooted_planar_simple_by_substitution(edges: int) -> Cells:
     The series of all planar maps is known.  A first equation determines from this series the series
     of the maps without loops; a second equation then determines the series of the simple maps.
 
-    The first equation: each planar map arises from one map without loops.  If this map has k edges,
-    it has 2k corners.  Each corner gets a sequence of loops, with a planar map inside each loop;
-    the root's corner gets two sequences, one on each side of the root.
+    The first equation: each planar map arises from one map without loops.  A *corner* is the space
+    between two neighbouring darts of a vertex, so a map with k edges has 2k corners.  Each corner
+    gets a sequence of loops, with a planar map inside each loop.  The corner next to the root gets
+    two sequences, one on each side of the root.
 
     The second equation: each map without loops arises from one simple map.  Each edge e of the
-    simple map is kept, or replaced by means of a map L without loops: instead of e, two copies of
-    the root edge of L join the ends of e, and all other edges of L lie between the two copies.
-    Source: the compositions of W. T. Tutte, A census of planar maps, Canad. J. Math. 15 (1963).
+    simple map, independently of the others, is kept or replaced.  To replace e, take a map L
+    without loops, and double its root edge.  The two copies join the ends of e; all other edges of
+    L lie between the two copies.  The start of L's root comes to that end of e which a fixed rule
+    names.
+
+    Source: the compositions of W. T. Tutte, A census of planar maps, Canad.  J. Math. 15 (1963).
     """
     vertices = vertex_counts(edges)
     # Series M / x: the vertex at the root, which each part has in common, is not counted.
@@ -344,8 +349,11 @@ def rooted_simple_by_degrees(edges: int, legal: Degrees | None = None) -> Cells:
 
     If ``legal`` is not None, only maps in which all vertices have legal degrees are counted.
 
-    Labelled graphs are counted for each sequence of degrees.  A graph has ``prod (deg-1)!``
-    rotation systems, and a rooted map has ``n!`` labellings of its vertices.
+    First, connected graphs with labelled vertices are counted for each sequence of degrees.  Such a
+    graph has ``prod (deg-1)!`` rotation systems, which are maps with labelled vertices.  Each of
+    these maps has 2m darts that can be the root, and each rooted map has ``n!`` labellings of its
+    vertices.  So the number of rooted maps is ``2m / n!`` times the number of the labelled maps.
+
     Cost: the number of partitions of 2m.
     """
     return {

@@ -283,7 +283,9 @@ FINGERPRINTS = 1 << 62
 def fingerprint(map_: CombinatorialMap) -> int:
     """A number that stands for a map rooted at dart 0, computed from its :func:`history`.
 
-    The sum of the fingerprints of some maps identifies the set of these maps.  Cost: O(m).
+    Two different sets of maps nearly always have different sums of fingerprints, modulo
+    :data:`FINGERPRINTS`.  So if an enumeration has the right sum, it has almost certainly met each
+    map exactly once.  Cost: O(m).
     """
     code = 0
     for decision in history(map_):
@@ -299,11 +301,13 @@ def prefixes(
     depth: int = 2,
     where: Condition | None = None,
 ) -> Iterator[tuple[Decision, ...]]:
-    """Yield the histories of all maps of the class, cut after ``depth`` decisions, once each.
+    """Yield the beginnings of the histories of all maps of the class, each beginning once.
 
-    The maps have exactly ``edges`` edges, and at most ``vertices`` vertices (None: any number).
-    The history of each map begins with exactly one of the results.  A result may be missing if it
-    begins the history of no map that meets the condition ``where``; None is no condition.
+    A beginning is the first ``depth`` decisions of a history, or a whole history with fewer
+    decisions.  The maps have exactly ``edges`` edges, and at most ``vertices`` vertices (None: any
+    number).  If the condition ``where`` is given, only maps that meet it are meant.  The history of
+    each of these maps begins with exactly one of the results.  A few results may begin no such
+    history, because some dead ends are not found early.
     """
     for history, _ in _grown(Gluing(edges, map_class, vertices, where), (), depth):
         yield history

@@ -112,13 +112,15 @@ def planar(edges: int, random: Random) -> CombinatorialMap:
 
 
 def _diagonals(previous: dict[int, int], root: int) -> CombinatorialMap:
-    """The map whose edges are the diagonals of a quadrangulation between vertices of one colour.
+    """The map of the diagonals of a quadrangulation that join its vertices of one colour.
 
-    Edge i of the quadrangulation has the darts ``2i`` and ``2i + 1``; ``previous`` is the inverse
-    of the quadrangulation's sigma.  The colour is that of the vertex of ``root``, a dart of the
-    quadrangulation.  Each dart d of the quadrangulation at a vertex of this colour becomes a dart
-    of the map: the end of the diagonal that leaves the vertex between d and sigma(d).  ``root``
-    becomes dart 0 of the map.
+    The colour is that of the vertex of ``root``, a dart of the quadrangulation.  Edge i of the
+    quadrangulation has the darts ``2i`` and ``2i + 1``.  ``previous`` gives for each dart the dart
+    before it, clockwise round its vertex; a walk round a quadrangle needs this inverse of sigma.
+
+    Each dart d of the quadrangulation at a vertex of this colour becomes a dart of the map.  The
+    dart of the map begins at the same vertex; its diagonal lies in the quadrangle between d and
+    sigma(d).  ``root`` becomes dart 0 of the map.
     """
     following = {d: e for e, d in previous.items()}
 
@@ -149,11 +151,12 @@ def bouquet(loops: int, random: Random) -> CombinatorialMap:
 
 
 def lollipop(degree: int, length: int, random: Random) -> CombinatorialMap:
-    """A path that leads from vertex 0, of degree 1, to a knot: a random part.
+    """A path from vertex 0, of degree 1, to a *knot*: a part whose edges are random.
 
-    The path has L inner vertices; loops raise their degree to D.  The knot has L vertices: the last
-    one has the degree D + 1, all others have the degree D, so that the knot looks like the path.
-    The edges in the knot are random.
+    The path has L inner vertices; loops raise their degree to D.  The knot has L vertices, numbered
+    after those of the path.  All of them have the degree D, too, so that the degrees do not show
+    where the path ends.  Only the vertex with the largest number has the degree D + 1, because
+    otherwise one dart would be left without a partner.
     """
     if degree < 4 or degree % 2 or length < 1:
         raise ValueError("D is even and at least 4, L at least 1")
@@ -271,9 +274,10 @@ def usual_degree(far: int) -> int:
 def out_darts(kind: int) -> tuple[int, int]:
     """The positions of the two darts by which a hub of the type ``kind`` leads to the next hub.
 
-    ``kind`` is an integer from 1 to q.  A position is a number of darts clockwise from the first
-    dart of the hub, one of the two that lead to the previous vertex.  The results are negative: the
-    caller takes them modulo the degree.  For different types all these positions are different.
+    ``kind`` is an integer from 1 to q.  The position of a dart is the number of darts, clockwise,
+    from the first dart of the hub to this dart.  The first dart is one of the two that lead to the
+    previous vertex of the row.  The results are negative numbers; the caller takes them modulo the
+    degree R.  Hubs of different types have different positions modulo R.
     """
     return -4 * kind, -4 * kind - 2
 
@@ -304,9 +308,10 @@ class CorridorShape(Struct, frozen=True):
 
     @property
     def window(self) -> int:
-        """The number g: the types of g consecutive near hubs show where in the row these hubs are.
+        """The number g: the types of g consecutive near hubs show which hubs these are.
 
-        g is the least positive number with ``q^g >= N = (g + 1)F``.
+        g is the least positive number with ``q^g >= (g + 1)F``.  The number of near hubs is N = (g
+        + 1)F, so there are enough sequences of g types for N hubs.
         """
         window = 1
         while self.types**window < (window + 1) * self.far:
@@ -407,12 +412,13 @@ class Family(Struct, frozen=True):
 
     Attributes:
         form: the form of a member's name; a capital letter stands for a number.
-        edges: the function from the numbers in a name to the number of edges without holes.
+        edges: the function that takes the numbers in a name, and returns how many edges the member
+            has before any edges are removed.
         build: the function that makes a member from the numbers in its name, the fraction of holes,
             and a seed.
-        has_holes: whether the members can have holes: edges that are removed at random.
-        one_map: whether the seeds give all rootings of one map, each with the same probability, if
-            there are no holes.
+        has_holes: whether the members can have *holes*: edges that are removed at random.
+        one_map: whether all members without holes that have the same name are rootings of one map.
+            The seed then chooses the rooting; all rootings have the same probability.
     """
 
     form: str
@@ -461,14 +467,14 @@ def edges_of(text: str) -> int:
 
 
 def rootings(text: str, map_: CombinatorialMap, holes: float | str | None = None) -> int | None:
-    """The number of different rooted maps among the members with the name ``text``, for all seeds.
+    """The number of different rooted maps with the name ``text``, for all seeds, if it is known.
 
-    These are the rootings of one map, and all have the same probability.  The result is None if
-    there are holes, or if :attr:`Family.one_map` is false for the family.
+    The number is known if all these maps are rootings of one map (:attr:`Family.one_map`), and
+    there are no holes.  Then all rootings have the same probability.  Otherwise the result is None.
 
     Args:
         text: the name.
-        map_: the member for any seed.
+        map_: the member for any one of the seeds; the result is the same for each of them.
         holes: the fraction of edges that are removed, as a number or a text; None, 0 or an empty
             text if there are no holes.
 

@@ -119,10 +119,11 @@ def thick(edges: int, random: Random) -> CombinatorialMap:
 
 
 def corridor(edges: int, random: Random) -> CombinatorialMap:
-    """A :func:`~allworlds.maps.families.lollipop`: a path with loops that leads to a random part.
+    """A :func:`~allworlds.maps.families.lollipop`: a path with loops that leads to a *knot*.
 
-    The path and the random part have vertices of the same degree, 4 or 6.  If ``edges`` is too
-    small for such a map, the map is a :func:`bouquet`.
+    This part of the mixture does not draw from the family ``corridor`` of the module ``families``.
+    Nearly all vertices have the same degree, 4 or 6.  If ``edges`` is too small for such a map, the
+    map is a :func:`bouquet`.
     """
     degree = random.choice((4, 6))
     length = (edges - 1) // degree
@@ -169,16 +170,18 @@ LARGEST_BASE = 6
 def _lifted(
     edges: int, random: Random, voltages: Callable[[int, int], list[list[int]]]
 ) -> CombinatorialMap:
-    """A covering of a small random map, with the largest possible number of sheets.
+    """A covering of a small random map, with the most sheets that ``edges`` edges allow.
 
-    If ``edges`` is at least 3, half of the small maps are cubic.
+    If ``edges`` is at least 3, the small map is cubic with probability 1/2.
 
     Args:
         edges: the largest number of edges of the covering.
         random: the source of all choices.
-        voltages: the function that takes a number of sheets and a number of permutations, and
-            returns so many permutations of the sheets: one for each edge of the small map outside a
-            spanning tree, as in :func:`cover`.  An edge of the tree leads to the same sheet.
+        voltages: the function that takes the number of sheets, and the number of those edges of the
+            small map that are outside a spanning tree.  It returns for each of these edges one
+            permutation of the sheets, called the edge's voltage.  A copy of the edge leads from
+            sheet s to sheet p(s), where p is this permutation.  A copy of an edge of the tree leads
+            to the same sheet.
     """
     size = random.randint(1, min(LARGEST_BASE, edges))
     base = families.sparse(random.randint(1, size), size, random)
@@ -291,9 +294,10 @@ MIXES: dict[MapClass, tuple[str, ...]] = {
 def default_mix(extent: Extent) -> tuple[str, ...]:
     """The names of the parts of the default mixture for an extent.
 
-    If the extent's condition is built in, or consists of several of which one is built in, there is
-    one part: :data:`HISTORIES`, the maps that :func:`glued` draws.  Otherwise, also under a user's
-    own condition, the parts follow from the class alone.
+    If the extent's condition is built in, or is several conditions at once of which at least one is
+    built in, there is one part: :data:`HISTORIES`, since :func:`glued` keeps to the condition while
+    it draws.  In all other cases the parts follow from the class alone.  One of these cases is a
+    condition that consists only of a user's own code.
     """
     return (HISTORIES,) if narrowing(extent.where) else MIXES.get(extent.map_class, (HISTORIES,))
 

@@ -243,7 +243,8 @@ def embeddings(
     """Yield the maps of a graph, for all choices of cyclic orders of the edges round each vertex.
 
     Args:
-        graph: a graph of networkx, of any type; parallel edges and loops are distinguished.
+        graph: a graph of networkx, of any type.  To exchange two parallel edges, or the two ends of
+            a loop, in the order round a vertex makes another order.
         up_to_isomorphism: whether only the first map is yielded if several maps are the same up to
             the names of darts; mirror images are in general different maps.
         genus: the genus of the yielded maps; None for any genus.
@@ -256,9 +257,9 @@ def embeddings(
         InvalidMap: at once, if the graph is not connected or has no edge.
         InputError: at once, if ``genus`` is neither None nor an integer of at least 0.
 
-    Cost: ``(d - 1)!`` cyclic orders at each vertex of degree d.  Each map costs O(m).  If
-    ``up_to_isomorphism`` is true, each yielded map costs O(m^2), because the codes of all its
-    rootings are kept.
+    Cost: ``(d - 1)!`` cyclic orders at each vertex of degree d.  Each map costs the time O(m).  If
+    ``up_to_isomorphism`` is true, each yielded map costs O(m^2) of time and memory: the codes of
+    all its rootings are computed, and kept for the comparison with later maps.
     """
     if genus is not None and an_integer("genus", genus) < 0:
         raise InputError(f"genus = {genus}; legal is an integer of at least 0")
@@ -380,15 +381,17 @@ def from_faces(faces: Sequence[Sequence[Hashable]]) -> CombinatorialMap:
     """The map of a closed surface that is glued from polygons.
 
     Args:
-        faces: for each face its vertices, such as ``"abc"``, in the order of a walk round the face
-            with the face to the left.  The walks together must pass along each edge once in each
-            direction.  Each passage along an edge becomes a dart of the vertex where the passage
-            begins; the darts are numbered in the order of the passages.  Parallel edges and loops
-            are refused; for maps that have them use :func:`~allworlds.maps.build.from_cycles`.
+        faces: for each face its vertices, such as ``"abc"``, in the order in which a walk round the
+            face meets them; the face is to the left of the walker.  The walks together must pass
+            along each edge once in each direction.  Each passage along an edge becomes a dart of
+            the vertex where the passage begins; the darts are numbered in the order of the
+            passages.  Parallel edges and loops are refused; for maps that have them use
+            :func:`~allworlds.maps.build.from_cycles`.
 
     Raises:
-        InvalidMap: naming an edge that is not walked once in each direction, a vertex at which two
-            pieces of surface meet, or a vertex that cannot be reached.
+        InvalidMap: naming an edge that is not walked once in each direction; a vertex whose faces
+            form more than one cycle round it, so that separate pieces of surface meet only at this
+            vertex; or a vertex that cannot be reached.
 
     Cost: O(m).
     """

@@ -2,20 +2,25 @@
 
 In the quotient, darts that look alike are merged into one *class*.  All classes have the same size
 k, the number of *sheets*.  A class that alpha maps to itself is a *semi-edge*; all other edges of
-the quotient are *ordinary*.  The root of the quotient is a class at the vertex v0.  The *cone
-index* of a vertex of the quotient is the number of times that the classes of this vertex repeat
-round each vertex of the map whose darts are in these classes.
+the quotient are *ordinary*.  The root of the quotient is a class at the vertex v0.  A vertex of the
+quotient is a cycle of classes.  Round a vertex of the map with darts in these classes, the cycle is
+repeated; the number of its repetitions is the *cone index* of the quotient's vertex.
 
 The lighthouse ``position`` is one mark at v0, without a direction.  Under this lighthouse finitely
-many worlds share a rooted quotient.  A world is made from the quotient and k sheets by a *choice*
-of permutations of the sheets.  Each vertex but v0 has a permutation: if a robot turns clockwise
-past every class of the vertex, past each one once, then the robot comes from a sheet to the image
-of this sheet.  Every cycle of this permutation has the vertex's cone index as its length.  Each
-edge has a permutation, too, which tells to which sheet the edge leads: for a semi-edge one with all
-cycles of length 2; for an ordinary edge outside a spanning tree any permutation; for an edge of the
-tree the identity.  At v0 the permutation is fixed: a cyclic shift c of all k sheets.
-Two choices make the same world if and only if conjugation by a power of c takes one choice to the
-other (docs/ambiguity.md).
+many worlds share a rooted quotient.  Each of them is made from the quotient and k sheets by a
+*choice*: some permutations of the sheets.  (The choices of an explorer are something else.)
+
+Each vertex but v0 has a permutation, in which every cycle has the vertex's cone index as its
+length.  The permutation tells to which sheet a robot comes from each sheet when it turns clockwise
+past every class of the vertex once.  At v0 the permutation is fixed: a cyclic shift c of all k
+sheets.
+
+Each edge has a permutation, too, which tells to which sheet the edge leads from each sheet.  For a
+semi-edge, all cycles of the permutation have length 2.  For an ordinary edge outside a spanning
+tree, it is any permutation.  For an edge of the tree, it is the identity.
+
+Two choices make the same world if and only if a renumbering of the sheets by a power of c takes one
+choice to the other (docs/ambiguity.md): each permutation p becomes ``c^i p c^-i`` with the same i.
 """
 
 from collections import Counter
@@ -254,9 +259,10 @@ def classes_of_union(*parts: Labelled) -> tuple[tuple[int, ...], ...]:
 def is_ambiguous(quotient: Quotient) -> bool:
     """Whether two or more worlds with the lighthouse ``position`` have this quotient.
 
-    If the quotient has a cycle (beta1 > 0), the result is true for k >= 2 sheets.  If beta1 = 0,
-    the result is true for k >= 3 sheets, unless there is no semi-edge and every cone index except
-    that of v0 is 1.  The root must be at v0.
+    The root must be at v0.  The result is false in three cases, in which there is only one choice
+    of permutations (see the module's docstring).  First: there is one sheet.  Second: there are two
+    sheets, and beta1 = 0.  Third: beta1 = 0, there is no semi-edge, and all vertices except v0 have
+    the cone index 1.  In all other cases the result is true (docs/ambiguity.md, Criterion).
 
     Cost: O(m).
     """
@@ -267,13 +273,16 @@ def is_ambiguous(quotient: Quotient) -> bool:
 
 
 def pose_count(quotient: Quotient) -> int:
-    """The number P of poses: pairs of a world with this quotient and a dart of the robot.
+    """The number P of pairs of a world and a dart in it at which the robot may be.
 
-    The dart is one of the k darts at v0 in the class of the root; isomorphic pairs count once.  P
-    is also the number of choices (see the module's docstring): (k!)^beta1 N(k,2)^s prod N(k,b_v).
-    Here s is the number of semi-edges, and b_v the cone index of the vertex v; the product is over
-    all vertices except v0.  N(k,b) is the number of permutations of k things in which all cycles
-    have length b.
+    The world has this quotient; the dart is one of the k darts at v0 in the class of the root;
+    isomorphic pairs count once.  Reports call such a pair a pose.
+
+    P is also the number of choices (see the module's docstring).  For if the sheet of the dart gets
+    the number 0, the shift c numbers all other sheets; so each pair belongs to exactly one choice.
+    Therefore P = (k!)^beta1 N(k,2)^s prod N(k,b_v).  Here s is the number of semi-edges, and b_v
+    the cone index of the vertex v; the product is over all vertices except v0.  N(k,b) is the
+    number of permutations of k things in which all cycles have length b.
     """
     return _fixed_by_rotations(quotient, quotient.sheets)
 
@@ -294,10 +303,10 @@ def class_size(quotient: Quotient) -> int:
 
 
 def _fixed_by_rotations(quotient: Quotient, cycles: int) -> int:
-    """The number of choices whose permutations all commute with a certain power of c.
+    """The number of choices whose permutations all commute with a power of c, a *rotation*.
 
-    That power is any power of c with ``cycles`` cycles; all of these yield the same number.  The
-    module's docstring says what a choice and c are.
+    The power has ``cycles`` cycles.  Several powers may have so many cycles; the number is the same
+    for each of them.  The module's docstring says what a choice and c are.
     """
     k = quotient.sheets
     lengths = Counter(quotient.cone_indices[1:])
@@ -310,12 +319,16 @@ def _fixed_by_rotations(quotient: Quotient, cycles: int) -> int:
 def _uniform(k: int, cycles: int, b: int) -> int:
     """The number of permutations p of k things, with all cycles of length b, that commute with c^i.
 
-    c is a cyclic shift of the k things.  Its power c^i has ``cycles`` cycles of length
-    ``r = k / cycles``; call them rings.  Since p commutes with c^i, p permutes the rings, and turns
-    each ring by a number of steps modulo r.  Suppose that p permutes t rings cyclically, and that
-    the sum of their t turns has the order o modulo r.  Then p has only cycles of length ``t * o``
-    on the things in these t rings; so ``t * o = b``.  There are ``r^(t-1) phi(o)`` such choices of
-    the t turns, where phi is Euler's totient function.
+    c is a cyclic shift of the k things, and c^i a power of c with ``cycles`` cycles; any such power
+    yields the same number.  Each of these cycles has the length ``r = k / cycles``; call it a ring.
+    Since p commutes with c^i, p permutes the rings.  When p takes a ring to a ring, it also turns
+    the ring by some number of steps modulo r, the ring's turn.
+
+    Suppose that p permutes t rings cyclically.  Let o be the order of the sum of their t turns in
+    the integers modulo r.  Then p has only cycles of length ``t * o`` on the things in these t
+    rings; so ``t * o = b``.  There are ``r^(t-1) phi(o)`` ways to choose the t turns, where phi is
+    Euler's totient function.  For each permutation of the rings the function multiplies these
+    numbers over its cycles; the result is the sum of the products.
     """
     r = k // cycles
     weight = {
