@@ -453,7 +453,7 @@ class Extent(Struct, frozen=True):
 
     @property
     def levels(self) -> Sequence[int]:
-        """The numbers of edges that maps of the extent may have, ascending; each is one level."""
+        """The numbers of edges that maps of the extent may have, ascending: its levels."""
         if self.given is not None:
             assert self.edges is not None
             return [edges for edges in self.given.starts if edges <= self.edges]

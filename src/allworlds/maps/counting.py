@@ -305,8 +305,8 @@ def rooted_planar_simple_by_substitution(edges: int) -> Cells:
 
     The first equation: each planar map arises from one map without loops.  A *corner* is the space
     between two neighbouring darts of a vertex, so a map with k edges has 2k corners.  Each corner
-    gets a sequence of loops, with a planar map inside each loop.  The corner next to the root gets
-    two sequences, one on each side of the root.
+    gets a sequence of loops, with a planar map inside each loop.  The root marks one corner, which
+    gets two sequences, one on each side of the mark.
 
     The second equation: each map without loops arises from one simple map.  Each edge e of the
     simple map, independently of the others, is kept or replaced.  To replace e, take a map L
@@ -314,7 +314,7 @@ def rooted_planar_simple_by_substitution(edges: int) -> Cells:
     L lie between the two copies.  The start of L's root comes to that end of e which a fixed rule
     names.
 
-    Source: the compositions of W. T. Tutte, A census of planar maps, Canad.  J. Math. 15 (1963).
+    Source: the compositions of W. T. Tutte, A census of planar maps, Canad. J. Math. 15 (1963).
     """
     vertices = vertex_counts(edges)
     # Series M / x: the vertex at the root, which each part has in common, is not counted.

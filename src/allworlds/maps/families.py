@@ -310,8 +310,8 @@ class CorridorShape(Struct, frozen=True):
     def window(self) -> int:
         """The number g: the types of g consecutive near hubs show which hubs these are.
 
-        g is the least positive number with ``q^g >= (g + 1)F``.  The number of near hubs is N = (g
-        + 1)F, so there are enough sequences of g types for N hubs.
+        g is the least positive number with ``q^g >= (g + 1)F``.  Since there are (g + 1)F near
+        hubs, there are enough sequences of g types for all near hubs.
         """
         window = 1
         while self.types**window < (window + 1) * self.far:
@@ -467,7 +467,7 @@ def edges_of(text: str) -> int:
 
 
 def rootings(text: str, map_: CombinatorialMap, holes: float | str | None = None) -> int | None:
-    """The number of different rooted maps with the name ``text``, for all seeds, if it is known.
+    """The number of different rooted maps with the name ``text``, for all seeds, if known.
 
     The number is known if all these maps are rootings of one map (:attr:`Family.one_map`), and
     there are no holes.  Then all rootings have the same probability.  Otherwise the result is None.

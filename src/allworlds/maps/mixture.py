@@ -295,7 +295,7 @@ def default_mix(extent: Extent) -> tuple[str, ...]:
     """The names of the parts of the default mixture for an extent.
 
     If the extent's condition is built in, or is several conditions at once of which at least one is
-    built in, there is one part: :data:`HISTORIES`, since :func:`glued` keeps to the condition while
+    built in, there is one part: :data:`HISTORIES`, since :func:`glued` tests the condition while
     it draws.  In all other cases the parts follow from the class alone.  One of these cases is a
     condition that consists only of a user's own code.
     """
