@@ -72,14 +72,18 @@ AnyUnit: TypeAlias = units.LevelUnit | units.GivenUnit
 
 
 class SizeCounts(Struct):
-    """Counts of the worlds of some sizes.
+    """Counts of the worlds of some sizes, and of their ambiguity classes.
+
+    An ambiguity class is a set of worlds: all worlds that look alike from some starts.  A class
+    counts here if it has two or more members, and at least one of them has one of the sizes.
 
     Attributes:
         marked_worlds: the number of maps with a lighthouse, up to isomorphism.
-        ambiguous_worlds: the number of these worlds that have a twin, whatever the twin's size.
-        classes: the number of ambiguity classes with two or more members, of which at least one has
-            one of these sizes.
-        largest_class: the number of members of the largest of these classes; 0 if there is none.
+        ambiguous_worlds: the number of these worlds that have a twin.  The twin may have another
+            size.
+        classes: the number of ambiguity classes that count here.
+        largest_class: the number of members of the largest of these classes; members of other sizes
+            are included.  0 if there is no class.
     """
 
     marked_worlds: int = 0
@@ -102,17 +106,20 @@ class SizeCounts(Struct):
 class SensedParts(Struct, forbid_unknown_fields=True):
     """The worlds of a part of a census, and the pairs of these worlds that look alike.
 
+    A *look* is a text that stands for all that a robot can find out from a start.  A world can have
+    several looks, one for each start.
+
     Attributes:
         worlds: the number of rooted maps.
         sizes: the numbers of edges and of vertices of each world, by the world's name.  Isomorphic
             worlds have the same name.
-        looks: for each look the name of the smallest world with this look.  A look is a text that
-            stands for all that a robot can find out from a start.
+        looks: for each look the name of the smallest world with this look.
         alike: pairs of names of worlds that share a look, the smaller world first.
-        counted: for a look the number of worlds in the ambiguity class of the worlds with this
-            look, computed by Burnside's lemma.  A look is missing if this number was not asked for.
-            A look is also missing if all darts of a world with this look are told apart by motions:
-            then this world is the only member of its class.
+        counted: for some looks, the size of the ambiguity class of the worlds with this look,
+            computed by Burnside's lemma.  Sizes are computed only in a census of all maps with the
+            lighthouse ``position``.  There is no entry if motions tell all darts of a world with
+            this look apart: then the world is its own quotient, and no other world has this
+            quotient.
     """
 
     worlds: doc.Natural
@@ -158,8 +165,10 @@ class SensedParts(Struct, forbid_unknown_fields=True):
     def classes(self) -> Iterator[list[str]]:
         """Yield each class of two or more worlds, as the list of its members' names.
 
-        Two worlds are in one class if they look alike from some starts.  They are also in one class
-        if a chain of worlds leads from one to the other, and each world looks like the next one.
+        Two worlds look alike if a start in one world and a start in the other world have the same
+        look.  Two worlds are in one class if they look alike.  They are also in one class if a
+        chain of worlds leads from one to the other, and each world of the chain looks like the next
+        one; the starts may differ from step to step.
         """
         beside: dict[str, list[str]] = {}
         for one, other in self.alike:
@@ -200,9 +209,10 @@ class SensedParts(Struct, forbid_unknown_fields=True):
     def ensure_counted(self) -> None:
         """Raise Disagreement unless each class has as many worlds as Burnside's lemma counts.
 
-        The lemma counts all worlds with the lighthouse ``position`` that have the quotient of the
-        class: see :func:`allworlds.maps.quotient.class_size`.  Only classes whose looks are in
-        :attr:`counted` are compared.
+        All worlds of a class have the same quotient.  Under the lighthouse ``position`` Burnside's
+        lemma counts the worlds with this quotient (:func:`allworlds.maps.quotient.class_size`).
+        Only classes whose looks are in :attr:`counted` are compared; under another lighthouse there
+        are none.
         """
         members = Counter({one: len(found) for found in self.classes() for one in found})
         for look, counted in self.counted.items():
@@ -281,10 +291,11 @@ class CensusRow(doc.Document, kw_only=True):
     In a shard only the worlds are counted, since a shard may hold some members of an ambiguity
     class without the others.
 
-    ``rooted`` is the number of rooted maps that were found. ``counted`` is their number according
-    to an independent source, a formula or recurrence that makes no map
-    (:mod:`allworlds.maps.count_source`); if there is no source, ``counted`` is an upper limit, with
-    which nothing is compared.
+    ``rooted`` is the number of rooted maps that the census has met.  ``counted`` is the number of
+    rooted maps according to an independent source, a formula or recurrence that makes no map
+    (:mod:`allworlds.maps.count_source`).  If there is no source, as under some conditions,
+    ``counted`` is only an upper limit, such as the number of rooted maps in the class without the
+    condition; then it is not compared with ``rooted``.
     """
 
     edges: doc.Edges

@@ -63,7 +63,11 @@ class RefutedSensor(doc.Document):
 
 
 class MinimalSensor(doc.Document):
-    """A coarsening that suffices, while no coarser one suffices."""
+    """A coarsening that suffices, while no coarser one suffices.
+
+    If two letters of this coarsening are merged into one, the result is a coarser sensor, which is
+    listed in ``refuted``.  ``below`` has the index, from 0 on, of each such sensor in ``refuted``.
+    """
 
     letters: Blocks
     below: Annotated[
@@ -84,9 +88,13 @@ class WeakestScope(doc.Document):
 class AmbiguityWeakest(Report, kw_only=True):
     """Report of 'ambiguity weakest'.
 
-    All coarsenings of a finest sensor, compared in the same worlds. A coarsening is a sensor that
-    tells apart only percepts that the finest sensor tells apart; it suffices if no two worlds with
-    different rooted maps look alike under it.
+    All coarsenings of a finest sensor, compared in the same worlds.  A coarsening shows one letter
+    in place of several features of the finest sensor.  It suffices if no two worlds with different
+    rooted maps look alike under it.
+
+    A coarsening is compared first in the worlds that refuted earlier coarsenings.  If these worlds
+    do not refute it, it is compared in all worlds; ``tried`` counts the coarsenings for which this
+    was done.
     """
 
     scope: WeakestScope

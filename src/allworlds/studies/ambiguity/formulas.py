@@ -1,15 +1,15 @@
 """The formula of a search: two different worlds, and a bisimulation between their darts.
 
-*One world*: the variables of each world say what its sigma and alpha are; each solution of the
-formula is the code of a rooted map (:mod:`allworlds.studies.ambiguity.one_world`).
+*One world*: the variables of each world say what its sigma and alpha are.  In each solution of the
+formula they give the code of a rooted map (:mod:`allworlds.studies.ambiguity.one_world`).
 
 *Bisimulation*: a relation between the darts of two worlds that relates the two starts, is preserved
 by sigma and alpha, and relates only darts with equal percepts.  Such a relation exists exactly if
 no motion tells the worlds apart, because every motion is a product of sigmas and one alpha.
 
-*Different*: the canonical codes differ.  Two different codes may still be one map entered at two
-darts that look alike; :func:`forbid_other_start` excludes, dart by dart, that the second world is
-the first one with another start.
+*Different*: the canonical codes differ.  Two different codes may still belong to one map that is
+entered at two darts which look alike.  A call of :func:`forbid_other_start` excludes this for one
+dart: entered at this dart, the second world must not be the first one.
 """
 
 from collections.abc import Mapping
@@ -139,14 +139,16 @@ def _letters(
 
     Args:
         formula: the formula, which gets the clauses.
-        name: the number of the world, 1 or 2, for the names of variables.
+        name: the number of the world, 1 or 2, which is put at the end of the variables' names.
         words: a word for each degree that v0 can have: the letters at the bearings 0, 1 and so on.
-            The start has bearing 0.
+            Here the bearing of a dart is the number of darts, clockwise, from this dart to the
+            start; so the start has bearing 0.
         world: the variables of the world.
 
     Returns:
-        A block of variables; ``[x, l]`` says whether dart x has the letter with index l among all
-        letters but 0, ascending.
+        A block of variables; ``[x, l]`` says whether dart x has the letter number l.  The letters
+            are numbered from 0 on, in ascending order: all letters that occur in ``words``, except
+            0.
     """
     found, (darts, degrees) = sorted({*chain(*words.values())} - {0}), world.degree.shape
     meaning = f"x has one of {','.join(map(str, found))}"
@@ -230,16 +232,17 @@ def _smaller_code(formula: Formula, pair: PairVariables) -> None:
 def forbid_other_start(formula: Formula, pair: PairVariables, start: int) -> None:
     """Require that the second world, if it is entered at dart ``start``, is not the first world.
 
-    Only one function F can be an isomorphism from the first map to the second map that takes dart 0
-    to ``start``.  In a code (:mod:`allworlds.studies.ambiguity.one_world`) each dart but 0 has its
-    number because it was met first as sigma(x) or as alpha(x), for a dart x with a smaller number.
-    F must take the dart sigma(x) to sigma(F(x)) in the second map, and the dart alpha(x) to
-    alpha(F(x)); so F follows from F(0).  The clauses require that F fails at some dart: that F does
-    not keep sigma, alpha, the reference darts or the letters.
+    If it is the first world, an isomorphism F of the maps takes dart 0 of the first map to
+    ``start`` in the second map.  There is at most one such F, which follows from F(0): F must take
+    the dart sigma(x) to sigma(F(x)), and the dart alpha(x) to alpha(F(x)).  In a code
+    (:mod:`allworlds.studies.ambiguity.one_world`) each dart but 0 is met first as sigma(x) or as
+    alpha(x) for a dart x with a smaller number; so every dart has its image.  The clauses require
+    that F is no isomorphism: that for some dart F does not keep sigma, alpha, the reference dart or
+    a letter.
 
-    If a marker shows v0 and ``start`` is a dart of another vertex, F fails already, because F moves
-    the marker; then the clauses require nothing.  ``start`` is never 0: other clauses require
-    already that the two codes differ.
+    If a marker shows v0, and ``start`` is a dart of another vertex, F moves the marker, so F is no
+    isomorphism in any case.  Then the clauses require nothing.  ``start`` is never 0: other clauses
+    require already that the two codes differ.
     """
     one, two, darts = pair.one, pair.two, range(pair.one.size.darts)
     shape = (len(darts), len(darts))
@@ -291,10 +294,17 @@ def _walk(formula: Formula, question: Question, world: OneWorld) -> None:
 
 
 def _best_start(formula: Formula, world: OneWorld) -> None:
-    """Require that no dart of v0 leads to a vertex of larger degree than the start does.
+    """Require that of all darts of v0 the start leads to a vertex of the largest degree.
 
-    No pair of worlds is lost, since a robot turns without cost: it may as well start at any dart of
-    v0.
+    The solver then has fewer cases to try.  Under the lighthouse ``position`` no pair of worlds
+    that look alike is lost.  For if the robots in both worlds turn at v0 by the same number of
+    darts, the worlds also look alike from the new darts: a bisimulation is preserved by sigma.  So
+    any dart of v0 can be the start.
+
+    Args:
+        formula: the formula, which gets the clauses.
+        world: the variables of the first world; the start of the second world follows from its
+            start.
     """
     darts, degrees = world.degree.shape
     beyond = formula.block("beyond", (darts, degrees), "alpha(x) is at a vertex of degree k")

@@ -226,10 +226,13 @@ class LeastRooting(NamedTuple):
 def least_rooting(map_: CombinatorialMap, darts: Sequence[Dart]) -> LeastRooting:
     """The least code of a map with one marked vertex, rooted at one of ``darts``.
 
-    ``darts`` are all darts of the marked vertex, or a class of darts there that look alike to a
-    robot.  An isomorphism of marked maps takes the set ``darts`` of one map to that of the other,
-    so isomorphic marked maps have the same least code.  The field ``times`` of the result is the
-    number of automorphisms that fix the marked vertex.
+    ``darts`` are all darts of the marked vertex, or a class: those of its darts that look alike to
+    a robot.  An isomorphism of two marked maps takes ``darts`` of the first map to ``darts`` of the
+    second map.  So isomorphic marked maps have the same least code.
+
+    Two rootings of a map have the same code exactly if an automorphism takes one root to the other.
+    So the field ``times`` of the result is also the number of automorphisms that fix the marked
+    vertex.
 
     Cost: O(m) for each dart.
     """
@@ -251,19 +254,24 @@ The argument of the function has the options that were chosen in the earlier cho
 def lifts(quotient: Quotient) -> Iterator[CombinatorialMap]:
     """Yield the maps with this quotient, one for each way to connect the k sheets.
 
-    The quotient merges k darts of a map into each class; dart ``q * k + i`` of a map is the dart of
-    class q in sheet i.  From most classes, sigma and alpha lead from sheet i to sheet i.  From the
-    other classes they lead to the sheets that a permutation says; every possible permutation is
-    chosen in turn.
+    A map with this quotient has k darts in each class, one in each of the k sheets.  The dart of
+    class q in sheet i has the number ``q * k + i``.  If sigma takes class q to class p in the
+    quotient, sigma of the map takes the k darts of q to the k darts of p.  A dart and its image are
+    in the same sheet, unless a permutation of the sheets says that sheet i leads to another sheet.
+    The same is true of alpha.  The permutations are chosen as follows; each combination of choices
+    makes a map:
 
-    Sigma has a permutation at the last class of each vertex of the quotient, in the order of
-    :attr:`Quotient.vertices`; from this class sigma leads back to the vertex's first class.  The
-    permutation at v0 is not chosen: it always takes sheet i to sheet i + 1 modulo k.  Alpha has a
-    permutation at each semi-edge, which is a class that alpha takes to itself, and at each other
-    edge outside a spanning tree of the quotient.
+    - Each vertex of the quotient has a permutation.  It belongs to the vertex's last class, from
+      which sigma leads back to the first class.  All cycles of the permutation have the vertex's
+      cone index as their length.  Only at v0 there is no choice: sheet i leads to the next sheet,
+      modulo k, because the sheets are numbered in the order of their darts round v0.
+    - Each semi-edge, a class that alpha takes to itself, has a permutation.  All its cycles have
+      length 2.
+    - Each other edge outside a spanning tree of the quotient has a permutation, which can be any
+      one.
 
-    Several of these maps can be isomorphic, with v0 taken to v0.  A map whose v0 is fixed by ``a``
-    automorphisms is yielded k / ``a`` times.
+    The same map with the same v0 is yielded several times: k / ``a`` times, if ``a`` automorphisms
+    of the map fix v0.
 
     Cost: O(m) a map, and O(m) memory.
     """
@@ -295,16 +303,16 @@ def _lift(quotient: Quotient, choice: Iterator[SheetPermutation]) -> Combinatori
 
 
 def _permute(map_: list[Dart], k: int, q: int, to: int, moved: Sequence[int]) -> None:
-    """Change a permutation of darts: it shall take the darts over class q to those over ``to``.
+    """Set the images of the k darts of class ``q``: they are the k darts of class ``to``.
 
-    The darts over a class are those that the quotient merges into it, one in each sheet.
+    The dart of class q in sheet i has the number ``q * k + i``.
 
     Args:
-        map_: the permutation of the darts, which is changed.
+        map_: sigma or alpha of a map, which is changed.
         k: the number of sheets.
         q: the class of the darts.
-        to: the class of the images.
-        moved: for each sheet of a dart the sheet of its image.
+        to: the class of their images.
+        moved: entry i is the sheet of the image of the dart in sheet i.
     """
     map_[q * k : (q + 1) * k] = [to * k + i for i in moved]
 
@@ -451,13 +459,14 @@ def class_of(request: ClassRequest) -> AmbiguityClass:
     """Find the complete ambiguity class of a world: all worlds that no motion tells from it.
 
     The lighthouse must be ``position`` or ``directional``; under ``directional`` the world is the
-    only member.  Only members whose maps belong to the class of maps in the request count.
+    only member.  The request also names a class of maps, such as ``planar``; a member counts only
+    if its map is in this class of maps.
 
     Raises:
         InputError: for another lighthouse, under which an ambiguity class can be infinite; for a
-            world whose map is outside the class of maps; for a limit below 1.  Also if there are
-            more members than the limit, and the class of maps is not ``maps``: to find out which
-            members belong to such a class, all members must be made.
+            world whose map is outside the class of maps; for a limit below 1.  Also if the
+            ambiguity class has more members than the limit, and the class of maps is not ``maps``:
+            then not all members would be made, so those in the class of maps could not be counted.
 
     Cost: O(k m) for each of at most k * ``limit`` maps with the quotient; k is the number of
     sheets.
@@ -517,9 +526,10 @@ def _checked(world: World, limit: int, universe: MapClass) -> None:
 def _members(quotient: Quotient, limit: int, own: LeastRooting) -> dict[Code, LeastRooting]:
     """The members of an ambiguity class by their codes, at most ``limit`` of them.
 
-    If the class has at most ``limit`` members, all are returned.  Otherwise these are returned: the
-    first ``limit`` members that :func:`lifts` yields, if the given world, whose code is in ``own``,
-    is one of them; else only the first ``limit - 1``, so that the caller can add the given world.
+    If the ambiguity class has at most ``limit`` members, all are returned.  Otherwise members are
+    taken in the order in which :func:`lifts` yields them, each once.  If the given world, whose
+    code is in ``own``, is one of the first ``limit`` members, these members are returned.  If not,
+    the first ``limit - 1`` members are returned, and the caller can add the given world.
     """
     alike = range(quotient.sheets)  # the darts of a lift that lie over class 0
     found: dict[Code, LeastRooting] = {}

@@ -21,8 +21,21 @@ from allworlds.studies.ambiguity.question import Question, Size
 class OneWorld(Struct, frozen=True):
     """The variables of one rooted map; dart 0 is the root, vertex 0 is the vertex of the root.
 
-    Each block of variables has its meaning in :func:`one_world`.  Vertices are numbered in the
-    order of their first darts.
+    Vertices are numbered in the order of their first darts; the first dart of a vertex is the one
+    with the smallest number.  Each attribute but ``size`` is a block of variables; the texts below
+    say what a variable of the block means.
+
+    Attributes:
+        size: the number of edges, and the bounds on the number of vertices.
+        sigma: ``[x, y]``: sigma(x) = y.
+        alpha: ``[x, y]``: alpha(x) = y.
+        given: ``[t, j]``: before step t, at least j darts have their numbers.  Step 2x finds
+            sigma(x), step 2x + 1 finds alpha(x).
+        vertex: ``[x, v]``: dart x is at vertex v.
+        used: ``[x, v]``: one of the darts 0 to x is at vertex v.
+        first: ``[x]``: dart x is the first dart of its vertex.
+        degree: ``[x, k]``: the vertex of dart x has degree k.
+        offset: ``[x, k]``: dart x is sigma^k of its vertex's first dart.
     """
 
     size: Size
