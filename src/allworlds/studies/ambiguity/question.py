@@ -176,13 +176,16 @@ class Question(Struct, frozen=True, dict=True):
 
     @property
     def sensing(self) -> base.Sensing:
-        """The vertices that a robot recognises by more than the degree, and whether by bearings.
+        """The vertices with more than a degree to sense, and whether bearings are sensed there.
 
         For the kinds in :data:`SEARCHED`, such as ``position`` and ``compass``, the result is the
-        attribute ``sensing`` of the lighthouse's Python class.  Under any other lighthouse the
-        robot recognises v0 by the letters at the darts of v0, without bearings.  But if for some
-        degree of v0 all letters are 0, a v0 of this degree may look like another vertex; then the
-        result names no vertex, and no formula assumes that v0 is recognised.
+        attribute ``sensing`` of the lighthouse's Python class.
+
+        Under any other lighthouse a robot senses letters at the darts of v0, and no bearings.  If
+        every word has a letter that is not 0, the robot recognises v0 by the letters, and the
+        result names v0 alone.  If for some degree all letters are 0, a v0 of this degree may look
+        like another vertex.  Then the result names no vertex, so no formula assumes that the robot
+        recognises v0.
         """
         kind, shown = self.kind, all(map(any, self.words.values()))  # else v0 may look like others
         if shown and issubclass(kind, base.ReferenceLighthouse):
@@ -202,11 +205,14 @@ class Question(Struct, frozen=True, dict=True):
         the kinds in :data:`SEARCHED`, such as ``position``: their formulas speak of markers and
         reference darts.
 
-        The word for degree d is read from a star: a map in which d edges lead from the hub, here
-        v0, to vertices of degree 1.  The lighthouse is at its first place in the star.  One place
-        in one map is enough: the letters depend on degree and bearing alone, so every other place
-        only turns the word.  For a user's lighthouse :func:`question_of` tries this out in small
-        maps.  A degree is missing if the lighthouse has no place in its star.
+        The word for degree d is read from a star: a map in which d edges lead from v0 to vertices
+        of degree 1.  The lighthouse is at the first place that it yields for the star.  A degree is
+        missing if there is no such place.
+
+        The letter at a dart depends on the degree of v0 and the bearing of the dart alone.  So
+        another map has the same word, and another place in the map only turns the word.  If the
+        lighthouse is a user's, :func:`question_of` tests in small maps whether the letters depend
+        on nothing else.
         """
         if self.lighthouse in SEARCHED:
             return {}
@@ -218,12 +224,15 @@ class Question(Struct, frozen=True, dict=True):
         """Yield the pairs of sizes to search, the smallest first.
 
         If a marker shows v0, both sizes of a pair are equal, because two worlds that look alike
-        have equally many darts.  For they have the same quotient, and in each world all classes of
-        darts have the same size k.  All darts in the class of the start are at v0, so k is the
-        degree of v0 divided by the number of classes at v0: the same number for both worlds.
+        have equally many darts.  The reason is that they have the same quotient.  In each of the
+        two worlds all classes of darts have equally many darts, say k.  All darts in the class of
+        the start are at v0, so k is the degree of v0 divided by the number of classes at v0.  The
+        quotient shows both of these numbers, so k is the same number in both worlds.
 
         Otherwise the pairs are ordered by the larger number of edges, then by the smaller number.
-        Sizes that no world can have, by simple counting, are left out.
+
+        A size is left out if its numbers of edges and vertices show that no world has this size;
+        see :meth:`_possible`.
         """
         sizes = []
         for m in range(1, self.edges + 1):

@@ -94,14 +94,19 @@ def matrices(worlds: Sequence[LitMap]) -> SensedWorlds:
 def compiled_name(kind: type[Lighthouse], extent: Extent) -> str:
     """The name of the lighthouse with which compiled code makes the worlds of an extent.
 
-    The name is empty if Python must make the worlds: if the compiled code does not know the
-    lighthouse, if the extent has a condition or given maps, if the largest maps have too few edges
-    to pay for compiling or more than the code can hold, or if the compiler is missing.
+    The name is empty if Python must make the worlds.  This is so in each of these cases:
 
-    For some lighthouses the compiled code makes the worlds with another lighthouse, and
-    :func:`laid_out` then changes the percepts.  In this case the name of the other lighthouse is
-    returned: ``door`` for every lighthouse that shows letters at v0, and ``none`` (the lighthouse
-    that shows degrees alone) for the lighthouse ``labels``.
+    - The compiled code does not know the lighthouse.
+    - The extent has a condition, or consists of maps that the user has given.
+    - The largest maps have fewer than :data:`COMPILED_FROM` edges, so that compiling takes longer
+      than it saves.
+    - The largest maps have more edges than the compiled code can hold.
+    - The compiler is missing.
+
+    For some lighthouses the compiled code makes the worlds with another lighthouse, which has the
+    same places, and :func:`laid_out` then changes the percepts.  In this case the name of the other
+    lighthouse is returned: ``door`` for every lighthouse that shows letters at v0, and ``none``
+    (the lighthouse that shows degrees alone) for the lighthouse ``labels``.
     """
     name = Door.kind if issubclass(kind, SensedByBearing) else kind_of(kind)
     name = Nothing.kind if kind is Labels else name
@@ -168,9 +173,15 @@ def laid_out(
 def _labelled(worlds: SensedWorlds, first: Matrix) -> SensedWorlds:
     """The worlds with the percepts of the lighthouse ``labels`` in place of the degrees alone.
 
-    At each vertex the marks are the vertex's number in canonical order, from 1 on, and the bearing
-    is that of the vertex's first dart in canonical order.  ``first`` has for each dart the least
-    dart of its vertex.
+    The vertices of a world have the numbers 1, 2, 3, ... in the order of their first darts, and the
+    reference dart of a vertex is its first dart.  "First" means: with the smallest canonical
+    number.  The marks at a vertex are its number.  The bearing at a dart is the number of darts,
+    clockwise, from this dart to the reference dart.
+
+    Args:
+        worlds: the worlds, under the lighthouse ``none``.
+        first: for each dart the dart with the smallest index at the same vertex.  Indices of darts
+            are not canonical numbers.
     """
     import numpy as np
 
@@ -224,11 +235,20 @@ def classes(worlds: SensedWorlds) -> Matrix:
 
 
 def numbered(worlds: SensedWorlds, of: Matrix, roots: Matrix) -> tuple[Matrix, Matrix]:
-    """Number the classes canonically; return the number of each class, and a dart for each number.
+    """Number the classes of darts in each world canonically; return two matrices.
 
-    The class of the world's root has number 0.  Then, for each numbered class in turn, the class to
-    which sigma leads gets the next number if it has none; then the class to which alpha leads does
-    so.  ``of`` has the class of each dart, ``roots`` the root of each world.
+    Both matrices have a row for each world.  In the first matrix, entry q of a row is the canonical
+    number of the class q.  In the second matrix, entry x is a dart of the class with the canonical
+    number x.  If there are fewer classes than darts, the last entries have no meaning.
+
+    The class of the root has number 0.  Then each numbered class is looked at in turn.  If the
+    class to which sigma leads has no number yet, this class gets the next number; then the same is
+    done with alpha.
+
+    Args:
+        worlds: the worlds.
+        of: for each world the class of each dart.
+        roots: for each world the dart from which the numbering begins; it need not be the start.
 
     Cost: O(m) a world.
     """

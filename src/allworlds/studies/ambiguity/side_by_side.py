@@ -122,8 +122,12 @@ class SensorsScope(doc.Document):
 class AmbiguitySensors(Report, kw_only=True):
     """Report of 'ambiguity sensors'.
 
-    Sensors, compared in the same worlds. Two worlds that look alike under a sensor show that it
-    does not suffice, if their maps differ, or if they have the same map with two different starts.
+    Sensors, compared in the same worlds.  A sensor does not suffice if two worlds look alike under
+    it and their maps differ, or the worlds have the same map with two different starts.
+
+    In each pair of ``dominates``, the first sensor tells apart all worlds that the second one tells
+    apart, and perhaps more: two worlds that look alike under the first sensor also look alike under
+    the second one.
     """
 
     scope: SensorsScope
@@ -195,10 +199,9 @@ class Sensor(Struct):
 
         Args:
             edges: the number of edges of the largest maps.
-            places: the index, from 0 on, of the first sensor in the table that has the same places
-                as this sensor.  Two sensors have the same places if their lighthouses can stand at
-                exactly the same places in every map.  Only sensors with the same places, and so
-                with equal indices, are compared with each other.
+            places: the index, from 0 on, of a sensor in the table: of the first sensor whose
+                lighthouse has the same places in all maps as the lighthouse of this sensor.  Two
+                sensors are compared with each other only if their rows have the same index here.
         """
         first: dict[str, int] = {}
         fails, alike, roots = None, list[tuple[int, int]](), set[int]()

@@ -391,10 +391,17 @@ class _TwinsSearch(Struct):
         return True
 
     def _fewer_vertices(self, sizes: Sizes, twins: Twins) -> Twins:
-        """Twins with the fewest vertices, among all twins that have as many edges as ``twins``.
+        """Twins with as many edges as ``twins``, and with as few vertices as were found.
 
-        ``twins`` are the solution of the formula of ``sizes``.  If the time limit is reached
-        before, return the twins with the fewest vertices so far.
+        New twins are searched for.  Each of their worlds has as many edges as the corresponding
+        world of ``twins``.  If a marker shows v0, both worlds must have fewer vertices.  Otherwise
+        one world must have fewer vertices, and the other one must not have more.  If new twins are
+        found, the search goes on from them.  It ends if there are none, or if the solver does not
+        decide a formula, for example at the time limit.  The last twins are returned.
+
+        Args:
+            sizes: the sizes in the formula whose solution is ``twins``.
+            twins: the twins from which the search begins.
         """
         counts = [world.map.vertex_count for world in twins.pair]
         one, two = (doc.replace(size, most=n) for size, n in zip(sizes, counts, strict=True))
