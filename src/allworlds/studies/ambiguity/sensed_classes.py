@@ -103,8 +103,8 @@ def compiled_name(kind: type[Lighthouse], extent: Extent) -> str:
     - The largest maps have more edges than the compiled code can hold.
     - The compiler is missing.
 
-    For some lighthouses the compiled code makes the worlds with another lighthouse, which has the
-    same places, and :func:`laid_out` then changes the percepts.  In this case the name of the other
+    For some lighthouses the compiled code makes the worlds with another lighthouse.  Then
+    :func:`laid_out` computes the percepts from the place of that lighthouse, and the name of that
     lighthouse is returned: ``door`` for every lighthouse that shows letters at v0, and ``none``
     (the lighthouse that shows degrees alone) for the lighthouse ``labels``.
     """

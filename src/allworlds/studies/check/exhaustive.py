@@ -158,9 +158,11 @@ class CheckSweep(tally_sweep.TallySweep[CheckReport]):
     def conclude(self, ending: outcome.Ending) -> outcome.Ending | None:
         """Confirm the findings, and add new findings to the user's corpus.
 
-        Return None if the check ends with ``ending``.  Return another ending, :class:`Stopped`, if
-        the check was completed or had enough findings, and no finding is left because a fresh
-        process repeated none of them: then the check is no proof that no law is broken.
+        There is one case in which the check does not end with ``ending``.  It was completed or had
+        enough findings, but a fresh process repeated none of its findings, so that no finding is
+        left.  Then the explorer may break a law all the same, and the check proves nothing: the
+        method returns :class:`Stopped`.  In all other cases it returns None, and the check ends
+        with ``ending``.
         """
         corpus = self.corpus
         self._tally.findings = [*map(self.scope.labelled, self._tally.findings)]

@@ -73,9 +73,13 @@ def hinted(finding: Finding, subject: Subject, limits: Limits, scope: Scope) -> 
 def tried_options(finding: Finding, subject: Subject, limits: Limits, scope: Scope) -> str:
     """A text with options, as on the command line, with which the explorer breaks no law.
 
-    The text is empty if no such options are known.  The options were tried in the finding's world,
-    in its mirror image, and in all worlds with at most M edges.  The text also has ``--edges M``; M
-    is at least the number of edges of the finding's world.
+    The options are tried in the finding's world and in its mirror image; then in all worlds of the
+    scope with at most M edges.  M is as large as possible: the worlds may need at most :data:`MOST`
+    runs.  M is also in the text, as ``--edges M``, since the options were not tried in larger
+    worlds.
+
+    The text is empty if no such options are known, or if M is less than the number of edges of the
+    finding's world.
 
     Args:
         finding: the confirmed finding.
@@ -142,11 +146,14 @@ def located(
 ) -> Finding:
     """The finding, with its field ``code``: lines of the explorer's code.
 
-    These are the line at each action and checkpoint; the lines that ran in the finding and in no
-    right run; and, in a run that exceeds the step budget, the lines that ran most at the end.
+    There are three groups of lines.  First: for each action and each checkpoint the line at which
+    the explorer was.  Second: every line that ran in the finding and in no right run; if there is
+    no right run, there is no such line.  Third, only under the law ``budget``: the lines that ran
+    most often at the end of the run.
 
-    The finding stays as it is if the explorer is built in or not in Python, if it does not repeat
-    the run, and under the laws ``timeout`` and ``nondeterministic``.
+    The finding is returned unchanged in three cases.  First: the explorer is built in, or is not in
+    Python.  Second: the law is ``timeout`` or ``nondeterministic``.  Third: the explorer is run
+    again, and does not repeat the actions of the finding.
 
     Args:
         finding: the finding.
@@ -154,7 +161,7 @@ def located(
         limits: the limits of the time for an answer, and of memory.
         others: further worlds, each with the number of its lighthouse's place.  The explorer is
             also run in the first :data:`RIGHT` of these worlds.  If such a run breaks no law, it is
-            a right run: the lines that ran in it did not run in the finding alone.
+            a right run.
 
     Cost: that of the runs, each some ten times slower than a run whose lines are not traced.
     """

@@ -174,13 +174,17 @@ Then the fingerprints of both lists are compared.
 
 
 def known_fingerprints(extent: classes.Extent, edges: int) -> dict[int, str]:
-    """The known fingerprints of the maps with ``edges`` edges, in hexadecimal, by vertices.
+    """The known fingerprints of the maps with ``edges`` edges, by number of vertices.
 
-    A fingerprint is a number made from a map; the fingerprint of several maps is the sum of theirs.
-    Up to :data:`LISTED_EDGES` edges, the fingerprints are computed here: code that the check does
-    not use lists the maps once more, also under a condition.  For more edges, the fingerprints are
-    read from a file of the package, which has them for each class of maps.  The result is empty if
-    the file has none for this number of edges, or if the extent has a condition.
+    A fingerprint is a number made from a map, here in hexadecimal; the fingerprint of several maps
+    is the sum of theirs.
+
+    Up to :data:`LISTED_EDGES` edges the fingerprints are computed here, also under a condition.
+    For this purpose the maps are enumerated once more, by other code than that of the check.
+
+    For more edges the fingerprints are read from a file of the package.  The file has fingerprints
+    for each class of maps, but not for conditions, and not for every number of edges.  If the file
+    lacks the fingerprints, the result is empty.
     """
     if edges <= LISTED_EDGES:
         return {n: f"{each:x}" for n, each in count_source.listed(extent, edges).items()}
@@ -226,9 +230,15 @@ def missing_witnesses(
 ) -> tuple[str, ...]:
     """The events that must occur in a check of the whole extent, but are not in ``seen``.
 
-    Events that the explorer reports are required only if two things are true.  Its task is to draw
-    the map, since runs with another task may end before such an event.  And there is no condition
-    on the worlds, since the smallest worlds with such an event need not satisfy the condition.
+    Two events do not depend on the explorer: that a map has a loop, and that it has parallel edges.
+    Such an event is required if the extent includes the smallest map in which it occurs
+    (:data:`SMALLEST`).
+
+    A built-in explorer reports further events, for example the cases of Algorithm 1.  For each of
+    them it is known which size the smallest world has in which the event occurs.  The event is
+    required if the extent has worlds of this size, and two conditions hold.  First: the task is to
+    draw the map; a run with another task may end before the event.  Second: the extent has no
+    condition; otherwise the smallest world may be left out of the extent.
     """
     simple, last = extent.map_class.simple, extent.levels[-1]
     required = {event for event, least in SMALLEST.items() if extent.include(named_map(least))}
@@ -306,12 +316,13 @@ class CheckReport(PortionReport):
 
     The counts and findings of a check, and the verdict that follows from them.
 
-    ``asked`` is the scope that was to be checked, ``tally`` holds the counts of the finished levels
-    and the smallest findings, ``levels`` are the finished numbers of edges, ``cells`` the
-    comparisons of the count gate, ``past`` tells what became of the
-    findings in the user's corpus, ``seconds`` are the durations of
-    the levels, and ``offspring`` is the number of worlds that ``fuzz`` has bred: made by small
-    changes from drawn worlds, to reach lines of code that few runs reach.
+    ``asked`` is the scope as it was asked for; the key ``scope`` says in addition how much of it
+    was finished.  ``tally`` holds the counts and the smallest findings.  ``levels`` are the numbers
+    of edges of the finished levels, ``seconds`` the durations of the levels, and ``cells`` the
+    comparisons of the count gate.  ``past`` is the user's corpus, which knows for each of its
+    earlier findings whether the check has reproduced it.  ``offspring`` is the number of worlds
+    that ``fuzz`` has bred.  Such a world is a drawn world after small changes; worlds are bred so
+    that the explorer also runs lines of its code that run in few worlds.
     """
 
     explorer: Annotated[doc.Text, doc.about("the name of the explorer")]

@@ -95,9 +95,9 @@ class Confirmation(Struct, frozen=True):
         The new finding is recorded in the run directory under ``name``.  If it is recorded there
         already, the recorded finding is returned, and ``by`` is not called.
 
-        In two cases ``by`` is not called, and ``found`` itself is returned: if nothing is recorded
-        and the deadline is past; and if the record is a remark, by which :meth:`settle` has
-        replaced ``found``.
+        In two other cases ``by`` is not called, and ``found`` itself is returned.  First: nothing
+        is recorded, and the deadline is past.  Second: there is a record, but it is a remark, which
+        :meth:`settle` has recorded for ``found``; a remark is no finding, so it cannot be returned.
         """
         settled = self._recorded(name, found, by)
         return found if isinstance(settled, str) else settled
@@ -208,7 +208,13 @@ def _retry(finding: Finding, subject: loading.Subject, limits: Limits) -> Findin
 
 
 def rules_record(rules: Rules) -> dict[str, Any]:
-    """The options of the rules that may depend on the explorer: a record for a run directory."""
+    """The fields of the rules for which the explorer may be needed: a record for a run directory.
+
+    With the record, :func:`rules_known` makes the rules without loading the explorer.  Otherwise
+    the explorer is needed for these reasons: it can have a default lighthouse and a step budget of
+    its own, which apply if the user names none; it can name a bound; and its file can hold code
+    that judges.  The field ``promised``, which does not depend on the explorer, is recorded, too.
+    """
     names = ("lighthouse", "step_budget", "promised", "own_bound", "shared_file")
     return {name: requests.as_json(getattr(rules, name)) for name in names}
 
@@ -229,11 +235,13 @@ def rules_known(request: Any, record: Mapping[str, Any]) -> Rules:
 def record_of(subject: loading.Subject) -> dict[str, Any]:
     """The name, the keywords and the digest of an explorer, which identify it in run directories.
 
-    Keywords are those of ``choices``, ``told`` and ``notice`` that the explorer's function takes.
-    The digest is made from the explorer's code.
+    The keywords are the names of the arguments that the explorer's function takes besides the first
+    percept; they are among ``choices``, ``told`` and ``notice``.  The digest is made from the
+    explorer's code.
 
     Raises:
-        InputError: if the explorer has no content that identifies it.
+        InputError: if the code cannot be identified: the explorer exists only in this process, or
+            its file cannot be found.
     """
     return {
         "name": subject.name,

@@ -139,9 +139,10 @@ def estimated(job: Job, engine: EngineKind) -> Guess:
 def one_larger(job: Job) -> classes.Extent | None:
     """The job's class of maps, with a bound on the edges that is larger by one.
 
-    The smaller maps are still in the class.  The result is None if the job has no bound on the
-    edges, or if no map has as many edges as the new bound.  It is also None if the new bound is
-    larger than :data:`COUNTABLE`, since counting so many maps takes long.
+    The result is None in three cases.  First: the job has no bound on the edges.  Second: no map
+    has as many edges as the new bound, for example because simple maps with few vertices have few
+    edges.  Third: the new bound is larger than :data:`COUNTABLE`, since counting so many maps takes
+    long.
     """
     extent = job.scope.extent
     if extent.edges is None or extent.edges >= COUNTABLE:
