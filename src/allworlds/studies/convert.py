@@ -130,11 +130,12 @@ def _row(number: int, entry: Entry) -> ConvertRow:
 
 
 def _room_behind(end: str | list[str | int]) -> str:
-    """The text for a door: the name of the room to which the door leads, perhaps with a number.
+    """The text for a door: the name of the room behind it, and perhaps the number of its edge.
 
-    ``end`` is what :func:`doors_of` returns for the door: this name alone; or, if several edges
-    join the same two rooms or a room has several loops, the name and the number of the edge.  The
-    number stands in parentheses, and shows which two doors belong to one edge.
+    ``end`` describes the door as :func:`doors_of` does.  If no other edge joins the same two rooms,
+    ``end`` is the name of the room behind the door, and the text is this name.  Otherwise ``end``
+    is a list: this name, and the number of the edge.  Then the text has the number in parentheses
+    behind the name, so that the reader sees which two doors belong to one edge.
     """
     return end if isinstance(end, str) else f"{end[0]} ({end[1]})"
 

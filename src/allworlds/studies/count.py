@@ -185,14 +185,20 @@ class CountSweep(sweep.Sweep["Counted", Census]):
 class Counted(Struct):
     """Counts of the maps of a part of a level.
 
-    The attributes ``fixed``, ``mirrored`` and ``dual`` are sums over the rooted maps, from which
-    the unrooted maps are counted.  The term of a rooted map is a number of isomorphisms, which need
-    not preserve the root.  For maps with more than :data:`UNROOTED_LIMIT` edges the sums are not
-    computed; they stay empty or 0.
+    The attributes ``fixed``, ``mirrored`` and ``dual`` are sums over the rooted maps.  A rooted map
+    adds a number of isomorphisms; these need not preserve the root.  The sums give numbers of
+    unrooted maps.  An unrooted map with m edges and ``a`` automorphisms has 2m / ``a`` rootings,
+    and each of them adds ``a`` to ``fixed``.  So ``fixed`` divided by 2m is the number of unrooted
+    maps.  In the same way, ``mirrored`` and ``dual`` give the numbers of those unrooted maps that
+    are isomorphic to their mirror image, or to their dual (the map in which vertices and faces are
+    exchanged).
+
+    For maps with more than :data:`UNROOTED_LIMIT` edges the sums are not computed; they stay empty
+    or 0.
 
     Attributes:
         cells: the number of rooted maps, for each pair (number of vertices, genus).
-        fixed: the sum of the numbers of automorphisms, for each such pair.
+        fixed: the sum of the numbers of automorphisms, for each pair (number of vertices, genus).
         mirrored: the sum, over all maps, of the numbers of isomorphisms onto the mirror image.
         dual: the sum, over all maps, of the numbers of isomorphisms onto the dual.
     """

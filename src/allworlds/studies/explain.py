@@ -28,8 +28,12 @@ from allworlds.world.world import World
 class Explanation(Report):
     """Report of 'explain'.
 
-    The explanation of a finding. Vertices and darts are named by their numbers in the finding's
+    The explanation of a finding.  Vertices and darts are named by their numbers in the finding's
     world.
+
+    ``step`` is the step at which the mistake first shows; 0 is the start.  For a wrong answer, it
+    is the first step at which the walks in the world and in the answer diverge.  Otherwise it is
+    the last step before a wrong checkpoint.  It is null if there is no such step.
     """
 
     step: Annotated[

@@ -208,9 +208,9 @@ def _retry(finding: Finding, subject: loading.Subject, limits: Limits) -> Findin
 
 
 def rules_record(rules: Rules) -> dict[str, Any]:
-    """The fields of the rules for which the explorer may be needed: a record for a run directory.
+    """The fields of the rules for which the explorer may be needed, for a run directory.
 
-    With the record, :func:`rules_known` makes the rules without loading the explorer.  Otherwise
+    With this record, :func:`rules_known` makes the rules without loading the explorer.  Otherwise
     the explorer is needed for these reasons: it can have a default lighthouse and a step budget of
     its own, which apply if the user names none; it can name a bound; and its file can hold code
     that judges.  The field ``promised``, which does not depend on the explorer, is recorded, too.

@@ -123,9 +123,10 @@ def compared(request: CompareRequest) -> Comparison | Growth:
 def compare(*explorers: str | Callable[..., Any], **options: Any) -> Comparison | Growth:
     """Run explorers in the same worlds, judge every run, and compare their costs.
 
-    The options are those of :class:`CompareRequest`.  If the option ``to`` is given, the largest
-    number of edges, explorers run in worlds that grow: in some members of each size of each family
-    that the option ``family`` names.  Then one explorer may be given; otherwise at least two.
+    The options are those of :class:`CompareRequest`.  The option ``to`` is a largest number of
+    edges.  If it is given, the explorers run in worlds that grow: for each family that the option
+    ``family`` names, and for several sizes of its worlds, they run in some members of the family.
+    At least two explorers must be given; with the option ``to`` one explorer is enough.
 
     Raises:
         InputError: naming the offending option and what would be legal.

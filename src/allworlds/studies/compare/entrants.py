@@ -208,9 +208,12 @@ class InWorld(NamedTuple):
         member: the name of the world in its family; empty without a family.
         explorer: the name of the explorer.
         costs: the traversals of each run, by the number of the lighthouse's place.
-        places: the number of all places of the lighthouse, those without a run included.
+        places: the number of places that the lighthouse has in this world; there need not be a run
+            for each of them.
         bound: the bound on the traversals of a run, equal for all places; None without a bound.
-        drawn_from: the number of different worlds of this size that seeds can draw; None: unknown.
+        drawn_from: in worlds that grow, the number of different rooted maps among the members of
+            the family with this size, whatever their seeds are.  None if the number is unknown, or
+            if the worlds do not grow.
     """
 
     map: combinatorial.CombinatorialMap
@@ -366,12 +369,13 @@ def entrants_of(request: CompareRequest) -> tuple[Entrant, ...]:
 def _with_lighthouse(explore: object) -> tuple[Any, LighthouseKind | None]:
     """An explorer without ``@LIGHTHOUSE`` behind its name, and this lighthouse, or None.
 
-    Paths and commands may contain ``@``, too.  So ``@`` separates explorer and lighthouse only if
-    the name of a lighthouse follows.
+    Paths and commands may contain ``@``, too.  So the last ``@`` separates explorer and lighthouse
+    only if the name of a lighthouse follows.
 
     Raises:
-        InputError: if no such name follows, but the text before ``@`` names an explorer that is no
-            program.
+        InputError: if no name of a lighthouse follows the last ``@``, and the text before it is the
+            name of an explorer.  A program (``exec:COMMAND``) is excepted, since the ``@`` may
+            belong to its command.
     """
     name, at, lighthouse = explore.rpartition(AT) if isinstance(explore, str) else ("", "", "")
     try:
@@ -538,9 +542,10 @@ class Contest(sweep.Sweep[CostsOfAll, Answer]):
     def conclude(self, ending: outcome.Ending) -> outcome.Ending | None:
         """Confirm the findings of all explorers.
 
-        If there are findings, and ``ending.final`` is true (the same job would do nothing more if
-        it began again), return :class:`Completed`: a job that was stopped because a law is broken
-        counts as completed.  Otherwise return None: the job ends with ``ending``.
+        If there are findings, and the job would do nothing more if it began again
+        (``ending.final``), return :class:`Completed`.  So a job that was stopped because a law is
+        broken counts as completed.  If there are no findings, or the job would go on, return None:
+        the job ends with ``ending``.
         """
         for (_, number), tally in sorted(self._found.items()):
             one, limits = self.entrants[number], self.request.limits

@@ -156,9 +156,11 @@ def members_of(family: str, to: int, worlds: int, seed: int) -> list[list[Member
 def _largest(growing: Growing, degree: int, edges: int) -> str:
     """The name of the largest member of the family ``growing`` with at most ``edges`` edges.
 
-    ``degree`` is the degree in the family's name, or 0.  Some families remove a share of a member's
-    edges; these edges are counted here.  The name is empty if this member has fewer than
-    :data:`LEAST` edges, or if all members have more than ``edges`` edges.
+    Some families remove a share of the edges when they make a member.  Here the number of edges
+    before the removal counts, because it follows from the member's name alone.
+
+    The name is empty if the largest member has fewer than :data:`LEAST` edges, or if all members
+    have more than ``edges`` edges.  ``degree`` is the degree in the family's name, or 0.
     """
     number = 1
     while families.edges_of(growing.member(number + 1, degree)) <= edges:
@@ -236,8 +238,9 @@ class GrowRow(doc.Document):
     def interval(self) -> Range:
         """The confidence interval of ``mean``, at the level :data:`intervals.LEVEL`.
 
-        None if the mean is exact: all worlds that seeds can draw were run in all places.  None,
-        too, in the cases of :func:`intervals.mean_interval`.
+        The result is None if the mean is exact: all worlds that seeds can draw were run in all
+        places.  It is also None if :func:`intervals.mean_interval` finds no interval: for few
+        worlds, for a mean cost of 0 in a world, or without scipy.
         """
         return None if self.exact else _rounded(intervals.mean_interval(self.means))
 

@@ -6,16 +6,18 @@ interval.  A sample has no interval if it has fewer than :data:`LEAST_WORLDS` di
 cost is 0, or if scipy is not installed.
 
 *Ratios and means.*  Student's t gives an interval of a mean from the standard deviation of the
-values.  Here it is applied to logarithms.  A ratio is a geometric mean, so its logarithm is the
-mean of the logarithms.  For the logarithm of a mean cost, the standard deviation of the costs
-divided by their mean is taken in place of the standard deviation of the logarithms; the two are
-equal to first order.
+values.  Here it is applied to logarithms.  The ratio of two explorers is the geometric mean of
+their ratios in the single worlds.  So the logarithm of the ratio is the mean of logarithms, and t
+applies to these logarithms.  A mean cost is an arithmetic mean.  Here the interval is one of the
+logarithm of the mean cost.  In place of the standard deviation of the logarithms, the relative
+deviation is taken: the standard deviation of the costs, divided by the mean cost.  The two
+deviations are equal to first order.
 
-This was tried in samples of costs whose logarithms have a normal distribution.  With the standard
-deviation 0.3 the interval contains the true ratio in 95% of the samples; it contains the true mean
-in 94.6%, 94.4% and 94.8% of the samples of 5, 10 and 30 costs.  With the deviation 0.6 it contains
-the true mean in 93%.  The BCa intervals of a bootstrap are worse: with the deviation 0.3 they
-contain the true mean in 85%, 91% and 92% of the samples.
+This was tried in samples of costs whose logarithms have a normal distribution.  If the logarithms
+have the standard deviation 0.3, the interval contains the true ratio in 95% of the samples; it
+contains the true mean in 94.6%, 94.4% and 94.8% of the samples of 5, 10 and 30 costs.  If they have
+the standard deviation 0.6, it contains the true mean in 93%.  The BCa intervals of a bootstrap are
+worse: with the deviation 0.3 they contain the true mean in 85%, 91% and 92% of the samples.
 
 *Exponents.*  For each size there is a point: the logarithm of the number of edges, and that of the
 mean cost.  The exponent is the slope of the line that least squares fit to these points, and its
@@ -130,13 +132,14 @@ def _reach(left: Sequence[float], across: Sequence[float], degrees: int) -> floa
 def _bend(sizes: Sequence[float], heights: Sequence[float]) -> str:
     """A text that says how the points bend; empty if a line fits the points well enough.
 
-    ``sizes`` and ``heights`` are the coordinates of the points: the logarithms of the numbers of
-    edges, and of the mean costs.  The points bend if a parabola fits them better than a line, that
-    is, if the coefficient of its quadratic term differs significantly from 0.
+    A point has an abscissa x in ``sizes``, the logarithm of a number of edges, and a height y in
+    ``heights``, the logarithm of a mean cost.  The points bend if a parabola fits them better than
+    a line, that is, if the coefficient of ``x^2`` in the parabola differs significantly from 0.
 
-    By the theorem of Frisch, Waugh and Lovell this coefficient is the slope of a line through other
-    points.  Their abscissas are the residuals of the squared sizes after a linear fit over the
-    sizes; their heights are the residuals of ``heights`` after such a fit.
+    Linear fits are enough to find this coefficient, by the theorem of Frisch, Waugh and Lovell.
+    First, ``x^2`` is fitted by a line over x, and y is fitted by another line over x; both fits
+    leave residuals.  Then the residuals of y are fitted by a line over the residuals of ``x^2``.
+    The slope of the last line is the coefficient.
     """
     left = _left_by(sizes, heights)
     if max(map(abs, left)) < CLOSE:
