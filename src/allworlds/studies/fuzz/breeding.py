@@ -54,9 +54,11 @@ MUTANTS_TRIED = 20
 
 
 class Bred(Struct, frozen=True):
-    """The unit of the worlds that are bred from the batch ``drawn``.
+    """The unit of the worlds that are bred from one block of draws.
 
-    This batch has the first draws of a block; a block is :data:`DRAWS_PER_BLOCK` draws.
+    A block is :data:`DRAWS_PER_BLOCK` draws.  The batch ``drawn`` has the first
+    :data:`DRAWS_TRACED` draws of the block: only in these draws the explorer's lines are traced, so
+    only from them worlds are bred.
     """
 
     drawn: Batch
@@ -67,7 +69,11 @@ class Bred(Struct, frozen=True):
         return f"{self.drawn.key}/bred"
 
     def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[MapWithPlaces]:
-        """Yield the draws, which are random worlds, from which the unit's worlds are bred."""
+        """Yield the draws of the unit, which are random worlds, and not the bred worlds.
+
+        The bred worlds depend on the lines that the explorer runs in these draws; :func:`bred`
+        makes them.
+        """
         return self.drawn.placed(extent, kind)
 
 
@@ -99,30 +105,31 @@ def bred(
 ) -> Iterator[NumberedRun]:
     """Breed worlds in which the explorer runs its rarest lines; yield those where it breaks a law.
 
-    The draws of ``unit`` are the first draws of a block, that is, of :data:`DRAWS_PER_BLOCK` draws.
-    The explorer is run in these draws, and its lines are traced; then it is run, generation by
-    generation, in mutants of worlds in which it ran one of its rarest lines.  The bred worlds
-    depend on the explorer and on these draws alone.  If the player dies, or is silent for too long,
-    breeding ends.
+    The explorer is run in the draws of ``unit``, and its lines are traced.  Then it is run,
+    generation by generation, in mutants of worlds in which it ran one of its rarest lines.  The
+    bred worlds depend on the explorer and on these draws alone; but if the player dies, or is
+    silent for too long, breeding ends early.
 
     These runs have a step budget of their own, :data:`TRAVERSALS_TRACED`, in place of that of the
     rules.  So an explorer that breaks a law here may break none under the rules.  The caller must
     run the explorer again in each yielded world; only this second run can refute the explorer.
 
-    Breeding helps to find slips (mistakes in an explorer) behind nested conditions.  It was
-    compared with plain draws, that is, with random worlds alone.  For slips behind four nested
-    conditions, 48 searches of each kind were made in worlds with up to 60 edges: a slip was found
-    by 4 of the 48 searches with 256 plain draws, and by 14 of the 48 searches with 64 draws and 192
-    bred worlds.  In worlds with up to 12 edges, one such slip was searched for with 8 seeds:
-    breeding found the slip with 7 of the seeds, and 448 plain draws found it with 1 seed.
+    Breeding helps to find mistakes of an explorer that show only if several nested conditions are
+    true.  It was compared with plain draws, that is, with random worlds alone.  For mistakes behind
+    four nested conditions, 48 searches of each kind were made in worlds with up to 60 edges: a
+    mistake was found by 4 of the 48 searches with 256 plain draws, and by 14 of the 48 searches
+    with 64 draws and 192 bred worlds.  In worlds with up to 12 edges, one such mistake was searched
+    for with 8 seeds: breeding found it with 7 of the seeds, and 448 plain draws found it with 1
+    seed.
 
-    Breeding prefers worlds in which rare lines ran.  Two other preferences were tried: worlds in
-    which the explorer had a high cost, and worlds in which a wrong hypothesis of the explorer was
-    long in agreement with the world.  Both found less than plain draws, in up to four times the
-    time.  An explorer that trusts a hypothesis after 24 steps was refuted with 2 of 6 seeds under
-    the first preference, with 1 seed under the second, and with 4 seeds by plain draws.  A run with
-    a cost above 8,000 was found with 4 of the 6 seeds under the first preference, with 3 under the
-    second, and with 5 by plain draws.
+    Breeding prefers worlds in which rare lines ran.  Two other preferences were tried.  The first
+    one was for worlds in which the explorer had a high cost.  The second one was for worlds in
+    which a wrong hypothesis of the explorer agreed with the world for many steps.  Both found less
+    than plain draws, in up to four times the time.  An explorer that trusts a hypothesis after 24
+    steps was refuted with 4 of 6 seeds by plain draws, with 2 seeds by the preference for high
+    costs, and with 1 seed by the preference for wrong hypotheses.  A run with a cost above 8,000
+    was found with 5 of the 6 seeds by plain draws, with 4 by the preference for high costs, and
+    with 3 by the preference for wrong hypotheses.
 
     Cost: 256 traced runs, each some three times as expensive as a plain run.
     """

@@ -96,11 +96,15 @@ def fuzz(request: FuzzRequest) -> CheckReport:
     The sample depends on the class, ``where``, ``edges``, ``min_edges``, ``mix``, ``runs`` and
     ``seed`` alone.
 
-    A few small worlds are tried first.  If the explorer breaks the law ``budget`` there, the search
-    ends; runs in small worlds that break another law do not count.  Then come the random worlds.
-    After 16, 64, 256, ... runs, the search ends if any run so far has refuted the explorer;
-    otherwise it goes on, up to ``runs`` runs.  For an explorer in Python, worlds are also bred from
-    the random worlds: see :func:`bred`.
+    A few small worlds are tried first, to find out soon whether the explorer walks for ever.  If it
+    breaks the law ``budget`` there, the search ends with this finding.  If it breaks another law
+    there, this is ignored, because these worlds are not in the sample.
+
+    Then come the random worlds, in waves.  The waves end after 16, 64, 256, ... runs, and the last
+    one after ``runs`` runs.  The search ends after the first wave in which a run refutes the
+    explorer.  For an explorer in Python, worlds are also bred from the random worlds, between the
+    waves: see :func:`bred`.  A run in a bred world can refute the explorer, too, and then the
+    search ends.
 
     Shrinking starts at the smallest refuting world, and may reach a world with fewer than
     ``min_edges`` edges; it ends at the time limit.
@@ -158,15 +162,22 @@ class SampleCounter(RunCounter, frozen=True, kw_only=True):
 class FuzzSweep(TallySweep[CheckReport]):
     """The sweep of a sample: it goes through the random worlds, and makes the report.
 
-    In this sweep a *level* is a set of worlds that is finished before the next set begins.  The
-    first level is a few small worlds; a finding there is kept only if the explorer walks for ever,
-    that is, breaks the law ``budget``.  The next levels are *waves* of random worlds, each wave
-    three times as large as all earlier waves together.  For some explorers (see
-    :func:`is_bred_for`) a wave may be followed by a level of *bred* worlds: random worlds after a
-    few random changes.  A level with a kept finding is the last level.
+    In this sweep a *level* is a set of worlds that is finished before the next set begins.  There
+    are three kinds of levels.
 
-    The report counts the finished runs of the waves, also those of an unfinished wave, but not the
-    runs in bred worlds.
+    - The first level is a few small worlds.  Findings there are kept only if they break the law
+      ``budget``, because this level is for explorers that walk for ever.
+    - The next levels are *waves* of random worlds.  Each wave is three times as large as all
+      earlier waves together; the last one may be smaller.
+    - If a wave completes a block of draws, and the lines of the explorer can be traced
+      (:func:`is_bred_for`), a level of *bred* worlds follows: random worlds after a few random
+      changes.
+
+    A level with a kept finding is the last level.
+
+    The report counts the finished runs of the waves, also those of an unfinished wave.  It does not
+    count the runs in bred worlds, although it has the findings there.  It counts the runs in small
+    worlds only if there is a kept finding.
 
     Args:
         request: the request.
@@ -246,8 +257,9 @@ class FuzzSweep(TallySweep[CheckReport]):
         nothing is confirmed or added.
 
         Raises:
-            TimeIsUp: if there are findings, and the deadline is past after this work.  The findings
-                stay in the report and in the corpus, but may be not shrunk or not confirmed.
+            TimeIsUp: if there are findings, and the deadline is past after all this work; then
+                perhaps not all findings have been shrunk and confirmed.  The caller catches the
+                exception, and reports that the time limit was reached, together with the findings.
         """
         settled = self.confirmation
         if isinstance(ending, Completed):
