@@ -94,13 +94,13 @@ def test_a_guess_is_told_with_its_sample():
 
 
 COUNTED = """
-edges  worlds  engine  sampled  a second  takes
-    3       6  kernel        4         2    3 s
-    4     100  kernel     none         3   33 s"""
+edges  worlds  engine  sampled  worlds/s  duration
+    3       6  kernel        4         2       3 s
+    4     100  kernel     none         3      33 s"""
 
 
 @pytest.mark.parametrize(
-    ("counted", "said"), [(True, COUNTED), (False, "\nedges  worlds <=  engine  sampled  a ")]
+    ("counted", "said"), [(True, COUNTED), (False, "\nedges  worlds <=  engine  sampled  wor")]
 )
 def test_larger_checks_are_told_in_a_table(counted, said):
     known = {name: getattr(GUESS, name) for name in Guess.__struct_fields__}

@@ -83,7 +83,7 @@ def pair_formula(question: Question, sizes: Sizes) -> tuple[Formula, PairVariabl
     _bisimulation(formula, pair)
     if one.size.edges == two.size.edges:
         _smaller_code(formula, pair)
-    if question.sensing.marks_v0 and not pointed and not question.walk:
+    if question.sensing.marks_v0 and not (pointed or letters or question.walk):
         _best_start(formula, one)
     _walk(formula, question, one)
     return formula, pair

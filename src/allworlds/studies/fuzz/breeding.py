@@ -115,12 +115,11 @@ def bred(
     run the explorer again in each yielded world; only this second run can refute the explorer.
 
     Breeding helps to find mistakes of an explorer that show only if several nested conditions are
-    true.  It was compared with plain draws, that is, with random worlds alone.  For mistakes behind
-    four nested conditions, 48 searches of each kind were made in worlds with up to 60 edges: a
-    mistake was found by 4 of the 48 searches with 256 plain draws, and by 14 of the 48 searches
-    with 64 draws and 192 bred worlds.  In worlds with up to 12 edges, one such mistake was searched
-    for with 8 seeds: breeding found it with 7 of the seeds, and 448 plain draws found it with 1
-    seed.
+    true.  It was compared with plain draws, which are random worlds.  For mistakes behind four
+    nested conditions, 48 searches of each kind were made in worlds with up to 60 edges: a mistake
+    was found by 4 of the 48 searches with 256 plain draws, and by 14 of the 48 searches with 64
+    draws and 192 bred worlds.  In worlds with up to 12 edges, one such mistake was searched for
+    with 8 seeds: breeding found it with 7 of the seeds, and 448 plain draws found it with 1 seed.
 
     Breeding prefers worlds in which rare lines ran.  Two other preferences were tried.  The first
     one was for worlds in which the explorer had a high cost.  The second one was for worlds in

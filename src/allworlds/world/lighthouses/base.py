@@ -193,7 +193,7 @@ class Lighthouse(ABC):
         return tuple(self.sensed(map_, here) for here in map_.darts)
 
     def relabelled(self, names: Sequence[Dart]) -> Self:
-        """The same lighthouse in the same map after each dart ``d`` is renamed ``names[d]``."""
+        """This lighthouse in the same map, after each dart ``d`` is renamed ``names[d]``."""
         renamed: dict[str, Any] = {}
         if hasattr(self, "dart"):
             renamed["dart"] = names[self.dart]
