@@ -17,7 +17,7 @@ from allworlds.engines.limits import TimeIsUp
 from allworlds.engines.players import Unsettled
 from allworlds.inputs.checks import InputError
 from allworlds.maps import rooted_maps
-from allworlds.outcome import Interrupted
+from allworlds.outcome import Completed, Disagreed, Interrupted, Stopped
 from allworlds.protocol.actions import Estimate
 from allworlds.reports.formats import file_of, text as text_of
 from allworlds.studies.compare.comparison import SameWorlds
@@ -272,3 +272,20 @@ def test_a_merge_lists_rows_by_what_is_asked():
     contest = SimpleNamespace(request=CompareRequest(explorers=("a", "b"), edges=1))
     Contest.list_by(contest, "world")
     assert (contest.request.by, contest.request.explorers) == ("world", ("a", "b"))
+
+
+@pytest.mark.parametrize(
+    ("ending", "completes"),
+    [
+        (Stopped("enough findings", final=True), True),
+        (Stopped("the time is over"), False),
+        (Interrupted(), False),
+        (Disagreed("two engines disagree"), False),
+        (Completed(), False),
+    ],
+)
+def test_a_job_that_findings_have_stopped_is_complete_and_no_other_becomes_so(ending, completes):
+    job = SimpleNamespace(_found={}, findings=["a finding"])
+    assert Contest.conclude(job, ending) == (Completed() if completes else None)
+    job.findings = []
+    assert Contest.conclude(job, ending) is None

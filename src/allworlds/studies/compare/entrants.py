@@ -542,15 +542,15 @@ class Contest(sweep.Sweep[CostsOfAll, Answer]):
     def conclude(self, ending: outcome.Ending) -> outcome.Ending | None:
         """Confirm the findings of all explorers.
 
-        If there are findings, and the job would do nothing more if it began again
+        If there are findings, and the job was stopped and would do nothing more if it began again
         (``ending.final``), return :class:`Completed`.  So a job that was stopped because a law is
-        broken counts as completed.  If there are no findings, or the job would go on, return None:
-        the job ends with ``ending``.
+        broken counts as completed.  In all other cases return None: the job ends with ``ending``,
+        which may say that two engines disagree.
         """
         for (_, number), tally in sorted(self._found.items()):
             one, limits = self.entrants[number], self.request.limits
             scope = one.scope(self.bounds)
             job = one.subject, limits, scope, self.deadline, self.kept
-            found = [*map(scope.labelled, tally.findings)]
-            self.findings += Confirmation(*job).confirmed(found)
-        return outcome.Completed() if ending.final and self.findings else None
+            self.findings += Confirmation(*job).confirmed(map(scope.labelled, tally.findings))
+        stopped = isinstance(ending, outcome.Stopped) and ending.final
+        return outcome.Completed() if stopped and self.findings else None
