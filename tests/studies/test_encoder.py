@@ -192,6 +192,19 @@ def test_no_section_of_clauses_is_without_its_words(asked, tmp_path):
     assert not {*SECTIONS[asked]} - told
 
 
+@pytest.mark.parametrize(
+    ("lighthouse", "is_free"), [("position", True), ("door", False), ("word:12", False)]
+)
+def test_letters_fix_the_start_so_that_it_cannot_be_chosen_by_degrees(
+    lighthouse, is_free, tmp_path
+):
+    asked = question(lighthouse, "maps", 2, 2)
+    formula, _ = pair_formula(asked, next(asked.sizes()))
+    formula.write(tmp_path / "f.cnf")
+    chosen = "turning is free: no dart of v0 leads to a larger degree than the start"
+    assert (chosen in (tmp_path / "f.cnf").read_text()) is is_free
+
+
 def test_degrees_and_a_walk_that_are_asked_for_have_sections(tmp_path):
     asked = question("position", "maps", 3, 3, degree_marked=2, motions=(0,), percepts=("1A",))
     formula, _ = pair_formula(asked, next(asked.sizes()))
