@@ -100,7 +100,7 @@ def tally_of(sums: arrays.Sums, unit: LevelUnit, scope: Scope, tally: Tally) -> 
     Args:
         sums: the kernel's results for the unit.
         unit: the unit.
-        scope: the scope; its bound gives the largest bound of each row.
+        scope: the scope; from its bound follows the largest legal cost in each row of the tally.
         tally: the empty tally.
 
     Raises:

@@ -53,7 +53,7 @@ class CompiledBatch(RunBatch):
         return self.laid.runs
 
     def due(self, index: int) -> Due:
-        """The run of this index as a Python object; its map is made from the run's table."""
+        """The run of this index as a Python object; its map is made from ``tables[index]``."""
         table = self.tables[index].reshape(-1, arrays.WIDE).tolist()
         sigma = [first + (d + 1 - first) % deg for d, (first, _, deg, *_) in enumerate(table)]
         map_ = CombinatorialMap(sigma, [dart[arrays.PARTNER] for dart in table])

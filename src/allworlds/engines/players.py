@@ -255,7 +255,9 @@ class PlayerProcess:
             self._out.clear()  # then it is lost, which the next read notices
 
     def heard(self) -> list[JobLogs]:
-        """The answers that have come since the previous call, each with the value ``job``.
+        """The answers that have come since the previous call, each with the ``job`` of its message.
+
+        This is the value that :meth:`give` has got with the message.
 
         Raises:
             Lost: if the player is silent for too long, or has died.

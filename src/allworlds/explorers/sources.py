@@ -194,7 +194,10 @@ class SourceLine(Struct, frozen=True):
         return self.file.is_relative_to(folder) and "site-packages" not in self.file.parts
 
     def named_from(self, folder: Path) -> str:
-        """The path of the file, relative to ``folder``, in which it is; the separator is ``/``."""
+        """The path of this line's file, relative to the folder ``folder``; the separator is ``/``.
+
+        The file must be inside the folder.
+        """
         return self.file.relative_to(folder).as_posix()
 
 

@@ -119,7 +119,7 @@ def thick(edges: int, random: Random) -> CombinatorialMap:
 
 
 def corridor(edges: int, random: Random) -> CombinatorialMap:
-    """A :func:`~allworlds.maps.families.lollipop`: a path with loops that leads to a *knot*.
+    """A path with loops that leads to a random part: a :func:`~allworlds.maps.families.lollipop`.
 
     This part of the mixture does not draw from the family ``corridor`` of the module ``families``.
     Nearly all vertices have the same degree, 4 or 6.  If ``edges`` is too small for such a map, the

@@ -1,8 +1,8 @@
 """Percepts, actions, answers, and their log; and the interface of explorers.
 
 Answers are an explorer's statements about the world, at the end and on the way.  The log of a run
-consists of its actions and percepts.  A fault is raised by an adapter, which is the code that
-speaks with an explorer outside Python.
+consists of its actions and percepts.  :class:`ExplorerFault` is raised by an adapter, the code that
+speaks with an explorer outside Python, if no legal message comes from the explorer.
 """
 
 import json

@@ -242,8 +242,9 @@ class World(Pictured):
         and the graph has the attribute ``darts``, this attribute gives the numbers.  Otherwise the
         darts are numbered node by node, so look at the map of the world before you name a dart.
 
-        The labels are the nodes' attributes ``name`` and ``pos``, if they are legal labels; without
-        ``name`` the nodes themselves are the names, unless they are 0, 1, ...
+        The nodes' attributes ``name`` and ``pos``, if they are legal, give the names and positions
+        of the vertices; without ``name`` the nodes themselves are the names, unless they are 0,
+        1, ...
 
         Raises:
             InvalidMap, InvalidWorld: naming the offending value and what would be legal.

@@ -394,7 +394,7 @@ def door(world):  # pragma: no cover  # compiled
 
 
 def compass(world):  # pragma: no cover  # compiled
-    """Choose the next reference darts, one at each vertex.
+    """Choose the next reference darts, one at each vertex; if none are left, set the place to NONE.
 
     In maps with at most ALL_CHOICES edges every choice is a place.  In larger maps only the first
     choice is a place: at each vertex the first of its darts in the canonical order.  The choices

@@ -455,10 +455,11 @@ class _TwinsSearch(Struct):
         return False
 
     def _prove(self) -> bool:
-        """Write a checked LRAT proof for each formula; return whether all formulas have a proof.
+        """Write a checked proof that no formula has a solution; return whether none is missing.
 
-        The proofs are made from DRAT proofs.  If proofs are missing, there is one notice for each
-        reason, with the name of a formula without a proof.
+        LRAT and DRAT are two forms of such proofs: a solver writes DRAT, and the LRAT proof is made
+        from it.  If proofs are missing, there is one notice for each reason, with the name of a
+        formula without a proof.
         """
         missing: dict[str, list[str]] = {}
         for number, searched in enumerate(self.done):

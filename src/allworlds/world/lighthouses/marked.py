@@ -67,7 +67,7 @@ class MarkedStart(base.ReferenceLighthouse):
         return [dart for home in homes for dart in map_.vertices[map_.vertex_of[home]]]
 
     def check(self, map_: CombinatorialMap, start: Dart) -> None:
-        """Raise InvalidWorld unless the options and the dart are legal."""
+        """Raise InvalidWorld unless the options and the lighthouse's dart are legal."""
         ensure_legal(self)
         legal = self.legal_darts(map_, start)
         if the_integer("lighthouse.dart", self.dart) not in legal:
